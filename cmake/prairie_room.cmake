@@ -1,0 +1,28 @@
+# prairie_room(NAME SOURCES … DEPENDS … PRIVATE_DEPENDS …): one static library per top-level folder, with the flags
+# on which bit-equal results between compilers, optimisation levels and the shaders rest (docs/design.md, D1).
+add_library(prairie_flags INTERFACE)
+target_compile_options(prairie_flags INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=double-promotion
+  -ffp-contract=off -fno-fast-math
+  $<$<BOOL:${PRAIRIE_WERROR}>:-Werror>)
+if(PRAIRIE_SANITIZE)
+  target_compile_options(prairie_flags INTERFACE -fsanitize=${PRAIRIE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(prairie_flags INTERFACE -fsanitize=${PRAIRIE_SANITIZE})
+endif()
+set_property(GLOBAL PROPERTY PRAIRIE_ROOMS "")
+
+function(prairie_room name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target prairie_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(prairie::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/prairie>)
+  target_link_libraries(${target}
+    PUBLIC ${ARG_DEPENDS}
+    PRIVATE $<BUILD_INTERFACE:prairie_flags> ${ARG_PRIVATE_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY PRAIRIE_ROOMS ${name})
+endfunction()

@@ -1,0 +1,30 @@
+// The struct layouts that C++ and GLSL share, read as C++: the files of this folder with GLM's types, and the proof that
+// both sides see the same bytes (std430).
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace prairie {
+
+namespace layouts {
+using glm::ivec2;
+using glm::uvec2;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = glm::uint;
+
+#include "shaders/shared/species.glsl"
+
+}  // namespace layouts
+
+using layouts::SpeciesParams;
+
+static_assert(sizeof(SpeciesParams) == 128);
+static_assert(offsetof(SpeciesParams, tip_color) == 16);
+static_assert(offsetof(SpeciesParams, height_m) == 64);
+
+}  // namespace prairie

@@ -1,0 +1,73 @@
+// A scene as its file says it (scene.toml), before any map is opened: plain data, checked, with defaults filled in.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "generator/species.h"
+#include "maps/map_file.h"
+
+namespace prairie {
+
+/// A camera as a person gives it. Yaw 0 looks north (+y), clockwise; pitch up is positive.
+struct CameraSpec {
+  std::string name;
+  glm::dvec2 position_m{0.0};
+  double z_m = 1.7;
+  bool z_above_ground = true;
+  double yaw_deg = 0.0;
+  double pitch_deg = 0.0;
+  double fov_deg = 60.0;  // vertical
+};
+
+struct SpeciesSpec {
+  Species species;
+  std::optional<MapSpec> density;  // without a map the density is uniform:
+  double uniform_density_per_m2 = 1000.0;
+};
+
+struct SunSpec {
+  double azimuth_deg = 150.0;  // clockwise from north
+  double elevation_deg = 38.0;
+  glm::vec3 color{1.0f, 0.93f, 0.80f};   // linear, relative
+  double intensity = 3.2;
+  double sky_intensity = 1.0;
+  double haze_per_m = 0.0012;            // fog density b of RG "Fog"
+};
+
+/// Coefficients of B11's weight function (§2.2) are chosen by quality.
+enum class Quality { kLow, kMedium, kHigh };
+
+struct LodSpec {
+  Quality quality = Quality::kMedium;
+  double blade_distance_m = 120.0;  // beyond it only the flat tier is drawn
+};
+
+struct Scene {
+  std::filesystem::path folder;
+  std::uint64_t seed = 1;
+  double tile_m = 4.0;
+  std::optional<MapSpec> height;         // none: level ground
+  glm::dvec2 extent_m{0.0};              // of level ground without a map; (0, 0) with one
+  std::vector<SpeciesSpec> species;
+  std::optional<MapSpec> blade_height;   // factor on the length of blades
+  std::optional<MapSpec> bend;           // factor on their curvature
+  std::optional<MapSpec> color;          // factor on their colour (and the ground's)
+  std::vector<CameraSpec> cameras;
+  SunSpec sun;
+  LodSpec lod;
+  glm::vec3 soil_color{0.11f, 0.08f, 0.05f};  // linear albedo of bare ground
+};
+
+/// Reads DIR/scene.toml; `overrides` are "key=value" with dotted keys and TOML values. Every key is known, of the right
+/// type and in range, or BadInput says which is not, what it found, and (for a typing error) which key was meant.
+Scene read_scene(const std::filesystem::path& folder, const std::vector<std::string>& overrides);
+
+}  // namespace prairie

@@ -1,0 +1,46 @@
+// The assembled prairie: scene, ground and maps in memory, and the state that time moves. No OpenGL.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/meadow.h"
+#include "maps/height_field.h"
+#include "world/scene.h"
+
+namespace prairie {
+
+struct WorldOptions {
+  std::optional<std::uint64_t> seed;              // overrides the scene's
+  std::uint64_t memory_budget_bytes = 2ull << 30;  // for maps
+};
+
+class World {
+ public:
+  /// Opens the scene's maps. Throws BadInput, OverBudget.
+  World(Scene scene, const WorldOptions& options);
+
+  const Scene& scene() const { return scene_; }
+  /// What is planted: ground, species, density and feature maps, seed, tile grid.
+  const Meadow& meadow() const { return meadow_; }
+  const std::optional<GeoReference>& geo_reference() const { return geo_reference_; }
+  /// Of the scene's settings and its maps' contents; the same wherever the folder lies.
+  std::uint64_t scene_hash() const { return scene_hash_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Advances the world by a fixed step.
+  void step(double dt_s);
+  double time_s() const { return time_s_; }
+
+ private:
+  Scene scene_;
+  Meadow meadow_;
+  std::optional<GeoReference> geo_reference_;
+  std::uint64_t scene_hash_ = 0;
+  std::vector<std::string> warnings_;
+  double time_s_ = 0.0;
+};
+
+}  // namespace prairie
