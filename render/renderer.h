@@ -1,0 +1,56 @@
+// Draws a world: takes a camera, has lod/ plan the frame, plants and poses the plan's blades in one compute dispatch per
+// batch, draws ground, blades and sky into a linear HDR target, and hands out pictures. Needs a current OpenGL 4.5 core
+// context, from a window or a HeadlessContext, that outlives it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "lod/camera.h"
+#include "lod/frame_plan.h"
+#include "world/world.h"
+
+namespace prairie {
+
+struct FrameStatistics {
+  std::uint64_t blades_planted_in_view = 0;  // of the cells that the plan holds, before thinning
+  std::uint64_t blades_drawn = 0;
+  std::uint64_t triangles = 0;
+  double plan_ms = 0.0;
+};
+
+struct FrameOptions {
+  Tier tier = Tier::kAuto;
+  bool msaa = false;  // 4 samples per pixel
+};
+
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<float> linear_rgb;   // rows from the top
+  std::vector<std::uint8_t> srgb;  // the same, exposed, tone-mapped, sRGB-encoded
+  FrameStatistics statistics;
+};
+
+class Renderer {
+ public:
+  /// `shader_folder`: where shaders/ was installed (see app/installed_files.h). Throws NoSuitableOpenGl, BadInput.
+  Renderer(const World& world, const std::filesystem::path& shader_folder);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Draws one frame into the framebuffer `target` (0: the window), tone-mapped. The camera's size is the target's.
+  FrameStatistics draw(const Camera& camera, const FrameOptions& options, unsigned target);
+
+  /// Draws `samples` jittered frames, averages them in linear light and reads the picture back.
+  Picture render(const Camera& camera, const FrameOptions& options, int samples);
+
+ private:
+  struct Passes;
+  std::unique_ptr<Passes> passes_;
+};
+
+}  // namespace prairie
