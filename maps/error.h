@@ -1,5 +1,5 @@
-// The typed faults that the world outside can cause: a bad file, an unwritable output, a driver without OpenGL 4.5.
-// Broken contracts between functions are not faults; they are asserts.
+// The typed faults that the world outside can cause: a bad file, an unwritable output, a driver without
+// OpenGL 4.5. Broken contracts between functions are not faults; they are asserts.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,8 @@
 
 namespace prairie {
 
-/// What went wrong with one thing outside the program. `what()` is one line: "FILE: FIELD: found …, expected …".
+/// What went wrong with one thing outside the program. `what()` is one line: "FILE: FIELD: found …, expected
+/// …".
 struct Fault : std::runtime_error {
   /// `file` may be empty where no file is concerned, `field` where the whole file is meant.
   Fault(std::string file, std::string field, std::string found, std::string expected);

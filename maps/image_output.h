@@ -1,5 +1,5 @@
-// Pictures and maps out: encoded in memory by OpenImageIO or libtiff (some encoders report success on a full disk), then
-// written atomically.
+// Pictures and maps out: encoded in memory by OpenImageIO or libtiff (some encoders report success on a full
+// disk), then written atomically.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,9 @@ std::vector<std::byte> encode_png_grey8(int width, int height, std::span<const s
 std::vector<std::byte> encode_png_grey16(int width, int height, std::span<const std::uint16_t> grey);
 /// Linear float RGB, rows from the top, ZIP compression.
 std::vector<std::byte> encode_exr_rgb(int width, int height, std::span<const float> rgb);
-/// One-channel float GeoTIFF of a grid in memory (deflate, predictor 3); NaN becomes nodata −9999 with tag 42113.
-/// `geo_reference` gives tags 33550, 33922 and the CRS keys; without it the grid's own frame does, without a CRS.
+/// One-channel float GeoTIFF of a grid in memory (deflate, predictor 3); NaN becomes nodata −9999 with tag
+/// 42113. `geo_reference` gives tags 33550, 33922 and the CRS keys; without it the grid's own frame does,
+/// without a CRS.
 std::vector<std::byte> encode_geotiff(const NodeGrid& grid, const GeoReference* geo_reference);
 
 }  // namespace prairie
