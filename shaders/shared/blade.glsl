@@ -2,7 +2,7 @@
 
 struct Blade {
   vec2 root_m;            // relative to the tile's south-west corner
-  float ground_m;         // height of the ground at the root
+  float ground_m;         // height of the ground at the root, above the tile's base
   float height_m;         // length along the midrib
   float width_m;          // at the widest place
   float azimuth_rad;      // direction in which it bends, counter-clockwise from east

@@ -18,15 +18,19 @@ using glm::vec4;
 using uint = glm::uint;
 
 #include "shaders/shared/blade.glsl"
+#include "shaders/shared/planted_cell.glsl"
 #include "shaders/shared/species.glsl"
 
 }  // namespace layouts
 
 using layouts::Blade;
+using layouts::PlantedCell;
 using layouts::SpeciesParams;
 
 static_assert(sizeof(Blade) == 64);
 static_assert(offsetof(Blade, lean) == 32);
+static_assert(sizeof(PlantedCell) == 80);
+static_assert(offsetof(PlantedCell, clump_lattice) == 32);
 static_assert(sizeof(SpeciesParams) == 128);
 static_assert(offsetof(SpeciesParams, tip_color) == 16);
 static_assert(offsetof(SpeciesParams, height_m) == 64);

@@ -1,0 +1,41 @@
+// Cells made ready for the planting kernel: counts, seeds and the tables of floats that the kernel reads. The tables are
+// made on the CPU alone, in double, so that both sides plant from the same bits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "generator/meadow.h"
+#include "generator/tiles.h"
+#include "shaders/shared/layouts.h"
+
+namespace prairie {
+
+/// What `PlantedCell::feature_table` holds where no feature map varies.
+inline constexpr std::uint32_t kNoTable = 0xffffffffu;
+
+/// Prepared cells; `PlantedCell`'s table words index `tables`.
+struct CellTables {
+  std::vector<PlantedCell> cells;
+  std::vector<float> tables;
+};
+
+/// The patches that every cell of a species has, and every cell's features: found once per meadow.
+struct PlantingLattice {
+  explicit PlantingLattice(const Meadow& meadow);
+  double cell_m;
+  std::vector<int> density_patches;  // per species
+  int feature_patches;               // 0: no feature map varies
+};
+
+/// Height that positions in a tile are relative to: the ground at its south-west corner, rounded to whole metres so that
+/// every cell of the tile finds the same.
+double tile_base_m(const Meadow& meadow, TileId tile);
+
+/// Appends the cell of every species that has blades there (N ≥ 1).
+void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell, CellTables& out);
+
+/// Integral of the density over the cell, per species: the expectation of N.
+std::vector<double> expected_cell_counts(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell);
+
+}  // namespace prairie

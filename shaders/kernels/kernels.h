@@ -1,0 +1,48 @@
+// The kernels, read as C++ (docs/design.md, D1). They become member functions, which are inline and see the cell tables
+// as the shaders see their storage buffer; a kernel that needs no tables works on `Kernels{}`.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "shaders/shared/layouts.h"
+
+namespace prairie {
+
+namespace kernels {
+using glm::abs;
+using glm::floor;
+using glm::ivec2;
+using glm::max;
+using glm::min;
+using glm::sqrt;
+using glm::uvec2;
+using glm::uvec3;
+using glm::vec2;
+using glm::vec3;
+using uint = glm::uint;
+
+#define precise  // GLSL's word for "do not rearrange"; C++ says it with -ffp-contract=off
+struct Kernels {
+  const float* tables = nullptr;
+  float table_value(uint word) const { return tables[word]; }
+
+#include "shaders/kernels/random.glsl"
+#include "shaders/kernels/sequence.glsl"
+#include "shaders/kernels/interpolation.glsl"
+#include "shaders/kernels/trigonometry.glsl"
+#include "shaders/kernels/warp.glsl"
+#include "shaders/kernels/clump.glsl"
+#include "shaders/kernels/cell_ground.glsl"
+#include "shaders/kernels/features.glsl"
+#include "shaders/kernels/plant.glsl"
+};
+#undef precise
+
+}  // namespace kernels
+
+using kernels::Kernels;
+
+}  // namespace prairie
