@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "generator/species.h"
+#include "maps/error.h"
 #include "maps/map_file.h"
 
 namespace prairie {
@@ -66,8 +68,23 @@ struct Scene {
   glm::vec3 soil_color{0.11f, 0.08f, 0.05f};  // linear albedo of bare ground
 };
 
-/// Reads DIR/scene.toml; `overrides` are "key=value" with dotted keys and TOML values. Every key is known, of the right
-/// type and in range, or BadInput says which is not, what it found, and (for a typing error) which key was meant.
+/// A fault in an override, not in the scene's file: the command line's business.
+struct BadOverride : BadInput {
+  using BadInput::BadInput;
+};
+
+inline constexpr const char* kSceneFileName = "scene.toml";
+inline constexpr double kMaxDensityPerM2 = 1e5;
+inline constexpr int kMaxSpecies = 16;
+
+/// Reads DIR/scene.toml; `overrides` are "key=value" with dotted keys ("lod.quality=high", "species.0.height_m=0.5" or
+/// by name "species.fescue.height_m=0.5") and TOML values, or plain text. Every key is known, of the right type and in
+/// range, or BadInput (for an override, BadOverride) says which is not, what it found, and (for a typing error) which
+/// key was meant. Maps are not opened.
 Scene read_scene(const std::filesystem::path& folder, const std::vector<std::string>& overrides);
+
+/// The same for a scene file's text; `folder` is where its maps' relative paths start.
+Scene parse_scene(std::string_view text, const std::filesystem::path& folder,
+                  const std::vector<std::string>& overrides);
 
 }  // namespace prairie

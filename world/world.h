@@ -17,20 +17,33 @@ struct WorldOptions {
   std::uint64_t memory_budget_bytes = 2ull << 30;  // for maps
 };
 
+/// A map of the scene as it was opened; for reports.
+struct LoadedMap {
+  std::string field;  // the scene key that names it
+  std::string file;   // as the scene gives it
+  GridFrame frame;
+  int channels = 1;
+  bool in_memory = true;
+  std::uint64_t memory_bytes = 0;  // of its nodes; 0 where they stay on disk
+};
+
 class World {
  public:
-  /// Opens the scene's maps. Throws BadInput, OverBudget.
+  /// Opens the scene's maps. Maps with a geo-reference lie relative to the height map's (without a height map, to the
+  /// first geo-referenced map); others have their south-west node at (0, 0). A scene without a camera gets one named
+  /// "default". Throws BadInput, OverBudget.
   World(Scene scene, const WorldOptions& options);
 
   const Scene& scene() const { return scene_; }
   /// What is planted: ground, species, density and feature maps, seed, tile grid.
   const Meadow& meadow() const { return meadow_; }
   const std::optional<GeoReference>& geo_reference() const { return geo_reference_; }
+  const std::vector<LoadedMap>& maps() const { return maps_; }
   /// Of the scene's settings and its maps' contents; the same wherever the folder lies.
   std::uint64_t scene_hash() const { return scene_hash_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Advances the world by a fixed step.
+  /// Advances the world by a fixed step, more than zero.
   void step(double dt_s);
   double time_s() const { return time_s_; }
 
@@ -38,6 +51,7 @@ class World {
   Scene scene_;
   Meadow meadow_;
   std::optional<GeoReference> geo_reference_;
+  std::vector<LoadedMap> maps_;
   std::uint64_t scene_hash_ = 0;
   std::vector<std::string> warnings_;
   double time_s_ = 0.0;
