@@ -164,7 +164,6 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
   std::uint32_t ground_table = kNoTable;
   std::uint32_t feature_table = kNoTable;
   double density_sum = 0.0;
-  double height_sum = 0.0;
 
   for (int s = 0; s < static_cast<int>(meadow.species.size()); ++s) {
     const DensityPatches density =
@@ -173,7 +172,6 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
       return cell_seed(meadow.seed, place.x, place.y, static_cast<std::uint32_t>(s), stream);
     };
     density_sum += density.integral / area_m2;
-    height_sum += density.integral / area_m2 * static_cast<double>(meadow.species[s].species.params.height_m);
     const std::uint32_t planted = random_rounding(density.integral, seed(kCount));
     if (planted == 0) continue;
 
@@ -200,6 +198,7 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
     planted_cell.clump_offset = glm::vec2(clumps - clump_floor);
     planted_cell.ground_table = ground_table;
     planted_cell.density_table = static_cast<std::uint32_t>(out.tables.size());
+    planted_cell.clump_seed = static_cast<std::uint32_t>(mix_bits(meadow.seed) >> 32);
     planted_cell.feature_table = feature_table;
     planted_cell.feature_patches = static_cast<std::uint32_t>(lattice.feature_patches);
     planted_cell.side_m = static_cast<float>(place.side_m);
@@ -212,7 +211,6 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
     PlantedCell& planted_cell = out.cells[n];
     planted_cell.other_density_per_m2 =
         static_cast<float>(density_sum - static_cast<double>(planted_cell.other_density_per_m2));
-    planted_cell.mean_height_m = static_cast<float>(height_sum / density_sum);
   }
 }
 

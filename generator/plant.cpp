@@ -5,7 +5,7 @@
 #include <xxhash.h>
 
 #include "generator/cell_table.h"
-#include "shaders/kernels/kernels.h"
+#include "generator/plant_cell.h"
 
 namespace prairie {
 namespace {
@@ -38,14 +38,6 @@ std::vector<Blade> plant_tile(const Meadow& meadow, const PlantingLattice& latti
 }
 
 }  // namespace
-
-void plant_cell(const PlantedCell& cell, const SpeciesParams& species, std::span<const float> tables,
-                std::span<Blade> out) {
-  Kernels kernels{tables.data()};
-  for (std::uint32_t k = 0; k < out.size(); ++k) {
-    out[k] = kernels.plant_blade(cell, species, kernels.plant_root(cell, k), k);
-  }
-}
 
 std::vector<Blade> plant_tile(const Meadow& meadow, TileId tile) {
   return plant_tile(meadow, PlantingLattice(meadow), tile);

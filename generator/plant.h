@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "generator/meadow.h"
@@ -15,11 +14,6 @@ namespace prairie {
 /// All blades of a tile, ordered by species, cell, index in the cell. Positions are relative to the tile's south-west
 /// corner (x, y) and to `tile_base_m` (z, generator/cell_table.h), in metres.
 std::vector<Blade> plant_tile(const Meadow& meadow, TileId tile);
-
-/// Plants the first `out.size()` blades of a prepared cell (generator/cell_table.h); `tables` are the words that the cell
-/// indexes.
-void plant_cell(const PlantedCell& cell, const SpeciesParams& species, std::span<const float> tables,
-                std::span<Blade> out);
 
 /// A hash of everything that `plant_tile` returns; equal on every compiler, optimisation level and thread count.
 std::uint64_t tile_hash(const Meadow& meadow, TileId tile);

@@ -11,41 +11,66 @@ struct Clump {
   vec2 outward;    // from the tuft's centre, in tuft distances
 };
 
-Clump clump_at(ivec2 lattice, vec2 offset, uint seed) {
-  precise vec2 q = offset - vec2(0.5f, 0.5f);
-  precise vec2 base = vec2(floor(q.x), floor(q.y));
-  precise vec2 f = q - base;
-  ivec2 first = lattice + ivec2(int(base.x), int(base.y));
-
-  precise float weight_sum = 0.0f;
-  precise float height = 0.0f;
-  precise float hue = 0.0f;
-  precise float dryness = 0.0f;
-  precise vec2 lean = vec2(0.0f, 0.0f);
-  precise vec2 outward = vec2(0.0f, 0.0f);
-  for (int n = 0; n < 4; ++n) {
-    int dx = n & 1;
-    int dy = n >> 1;
-    uvec3 h = hash_uvec3(uvec3(uint(first.x + dx), uint(first.y + dy), seed));
-    precise vec2 centre = vec2(float(dx) - 0.3f + 0.6f * unit_from_high16(h.x), float(dy) - 0.3f + 0.6f * unit_from_low16(h.x));
-    precise vec2 away = f - centre;
-    precise float tent_x = smooth_ramp(dx == 1 ? f.x : 1.0f - f.x);
-    precise float tent_y = smooth_ramp(dy == 1 ? f.y : 1.0f - f.y);
-    precise float closeness = 1.0f / (away.x * away.x + away.y * away.y + 0.03f);
-    precise float weight = tent_x * tent_y * closeness * closeness * closeness;
-    weight_sum += weight;
-    height += weight * (2.0f * unit_from_high16(h.y) - 1.0f);
-    hue += weight * (2.0f * unit_from_low16(h.y) - 1.0f);
-    dryness += weight * (2.0f * unit_from_high16(h.x ^ h.z) - 1.0f);
-    lean += weight * vec2(2.0f * unit_from_high16(h.z) - 1.0f, 2.0f * unit_from_low16(h.z) - 1.0f);
-    outward += weight * away;
-  }
-  precise float scale = 1.0f / (weight_sum + 1.0e-12f);
+// Adds the plant at one corner of the lattice square, `corner` ∈ {0, 1}², seen from the place f in that square.
+// Sums are kept in `sum`, weighted; its `weight` is their total.
+struct ClumpSum {
   Clump clump;
-  clump.height = height * scale;
-  clump.hue = hue * scale;
-  clump.dryness = dryness * scale;
-  clump.lean = lean * scale;
-  clump.outward = outward * scale;
+  float weight;
+};
+
+ClumpSum add_clump(ClumpSum sum, ivec2 first, ivec2 corner, vec2 f, uint seed) {
+  uvec3 h = hash_uvec3(uvec3(uint(first.x + corner.x), uint(first.y + corner.y), seed));
+  precise float away_x = f.x - (float(corner.x) - 0.3f + 0.6f * unit_from_high16(h.x));
+  precise float away_y = f.y - (float(corner.y) - 0.3f + 0.6f * unit_from_low16(h.x));
+  float tent_x = smooth_ramp(corner.x == 1 ? f.x : 1.0f - f.x);
+  float tent_y = smooth_ramp(corner.y == 1 ? f.y : 1.0f - f.y);
+  precise float closeness = 1.0f / (away_x * away_x + away_y * away_y + 0.03f);
+  precise float weight = tent_x * tent_y * closeness * closeness * closeness;
+  precise float height = sum.clump.height + weight * (2.0f * unit_from_high16(h.y) - 1.0f);
+  precise float hue = sum.clump.hue + weight * (2.0f * unit_from_low16(h.y) - 1.0f);
+  precise float dryness = sum.clump.dryness + weight * (2.0f * unit_from_high16(h.x ^ h.z) - 1.0f);
+  precise float lean_x = sum.clump.lean.x + weight * (2.0f * unit_from_high16(h.z) - 1.0f);
+  precise float lean_y = sum.clump.lean.y + weight * (2.0f * unit_from_low16(h.z) - 1.0f);
+  precise float outward_x = sum.clump.outward.x + weight * away_x;
+  precise float outward_y = sum.clump.outward.y + weight * away_y;
+  ClumpSum result;
+  result.clump.height = height;
+  result.clump.hue = hue;
+  result.clump.dryness = dryness;
+  result.clump.lean = vec2(lean_x, lean_y);
+  result.clump.outward = vec2(outward_x, outward_y);
+  result.weight = sum.weight + weight;
+  return result;
+}
+
+// The tuft at `offset` (in tuft distances) from the south-west corner of lattice square `lattice`.
+Clump clump_at(ivec2 lattice, vec2 offset, uint seed) {
+  precise float qx = offset.x - 0.5f;
+  precise float qy = offset.y - 0.5f;
+  float base_x = floor(qx);
+  float base_y = floor(qy);
+  precise float fx = qx - base_x;
+  precise float fy = qy - base_y;
+  ivec2 first = ivec2(lattice.x + int(base_x), lattice.y + int(base_y));
+
+  ClumpSum sum;
+  sum.clump.height = 0.0f;
+  sum.clump.hue = 0.0f;
+  sum.clump.dryness = 0.0f;
+  sum.clump.lean = vec2(0.0f, 0.0f);
+  sum.clump.outward = vec2(0.0f, 0.0f);
+  sum.weight = 0.0f;
+  sum = add_clump(sum, first, ivec2(0, 0), vec2(fx, fy), seed);
+  sum = add_clump(sum, first, ivec2(1, 0), vec2(fx, fy), seed);
+  sum = add_clump(sum, first, ivec2(0, 1), vec2(fx, fy), seed);
+  sum = add_clump(sum, first, ivec2(1, 1), vec2(fx, fy), seed);
+
+  precise float scale = 1.0f / (sum.weight + 1.0e-12f);
+  Clump clump;
+  clump.height = sum.clump.height * scale;
+  clump.hue = sum.clump.hue * scale;
+  clump.dryness = sum.clump.dryness * scale;
+  clump.lean = vec2(sum.clump.lean.x * scale, sum.clump.lean.y * scale);
+  clump.outward = vec2(sum.clump.outward.x * scale, sum.clump.outward.y * scale);
   return clump;
 }

@@ -13,9 +13,24 @@
 float linear_density_root(float u, float a, float b) {
   precise float under_root = a * a * (1.0f - u) + b * b * u;
   precise float denominator = a + sqrt(under_root);
-  if (denominator <= 0.0f) return u;
-  precise float root = u * (a + b) / denominator;
-  return min(root, 0.99999994f);
+  precise float root = u * (a + b) / max(denominator, 1.0e-30f);
+  return denominator > 0.0f ? min(root, 0.99999994f) : u;
+}
+
+// One step of a binary search: the place `step` further on, if there is one and the target lies beyond what it begins with.
+// Written without branches and without a loop, so that compilers can plant several blades at once.
+uint advance_row(uint table, uint patches, uint row, uint step, float target) {
+  uint next = min(row + step, patches - 1u);
+  return row + (next - row) * uint(target >= table_value(table + 3u * next));
+}
+
+float mass_west_of(uint sums, float ty, uint column) {
+  return lerp(table_value(sums + 2u * column), table_value(sums + 2u * column + 1u), ty);
+}
+
+uint advance_column(uint sums, uint patches, float ty, uint column, uint step, float target) {
+  uint next = min(column + step, patches - 1u);
+  return column + (next - column) * uint(target >= mass_west_of(sums, ty, next));
 }
 
 struct WarpedRoot {
@@ -27,56 +42,33 @@ WarpedRoot warp_to_density(uint table, uint patches, vec2 point) {
   uint sums = table + 3u * patches;
   uint nodes = sums + 2u * patches * patches;
 
-  // Row: the last one with mass whose mass below does not exceed the target.
-  uint last = patches - 1u;
-  precise float total = table_value(table + 3u * last) +
-                        0.5f * (table_value(table + 3u * last + 1u) + table_value(table + 3u * last + 2u));
-  precise float target = point.y * total;
-  uint row = 0u;
-  float row_below = 0.0f;
-  float lower = 0.0f;
-  float upper = 0.0f;
-  for (uint r = 0u; r < patches; ++r) {
-    float below = table_value(table + 3u * r);
-    float low = table_value(table + 3u * r + 1u);
-    float high = table_value(table + 3u * r + 2u);
-    if (low + high > 0.0f && (target >= below || lower + upper <= 0.0f)) {
-      row = r;
-      row_below = below;
-      lower = low;
-      upper = high;
-    }
-  }
+  // A row or patch without mass begins where the next one does, so the search passes over it; those at the end begin at
+  // the total, which no target reaches.
+  uint last = table + 3u * (patches - 1u);
+  precise float total = table_value(last) + 0.5f * (table_value(last + 1u) + table_value(last + 2u));
+  precise float row_target = point.y * total;
+  uint row = advance_row(table, patches, 0u, 4u, row_target);
+  row = advance_row(table, patches, row, 2u, row_target);
+  row = advance_row(table, patches, row, 1u, row_target);
+  float lower = table_value(table + 3u * row + 1u);
+  float upper = table_value(table + 3u * row + 2u);
   precise float row_mass = 0.5f * (lower + upper);
-  precise float v = row_mass > 0.0f ? saturate((target - row_below) / row_mass) : point.y;
+  precise float v = saturate((row_target - table_value(table + 3u * row)) / max(row_mass, 1.0e-30f));
   float ty = linear_density_root(v, lower, upper);
 
-  // Column, at that height: the prefix sums are linear between the row's edges.
-  precise float across = lerp(lower, upper, ty);
-  target = point.x * across;
-  uint column = 0u;
-  float column_below = 0.0f;
-  float column_mass = 0.0f;
-  float west = lerp(table_value(sums + 2u * patches * row), table_value(sums + 2u * patches * row + 1u), ty);
-  for (uint c = 0u; c < patches; ++c) {
-    precise float east = across;
-    if (c < last) {
-      uint next = sums + 2u * (patches * row + c + 1u);
-      east = lerp(table_value(next), table_value(next + 1u), ty);
-    }
-    precise float mass = east - west;
-    if (mass > 0.0f && (target >= west || column_mass <= 0.0f)) {
-      column = c;
-      column_below = west;
-      column_mass = mass;
-    }
-    west = east;
-  }
-  precise float u = column_mass > 0.0f ? saturate((target - column_below) / column_mass) : point.x;
+  // The prefix sums of the columns are linear between the row's edges.
+  uint row_sums = sums + 2u * patches * row;
+  float across = lerp(lower, upper, ty);
+  precise float target = point.x * across;
+  uint column = advance_column(row_sums, patches, ty, 0u, 4u, target);
+  column = advance_column(row_sums, patches, ty, column, 2u, target);
+  column = advance_column(row_sums, patches, ty, column, 1u, target);
 
   uint corner = nodes + row * (patches + 1u) + column;
   float a = lerp(table_value(corner), table_value(corner + patches + 1u), ty);
   float b = lerp(table_value(corner + 1u), table_value(corner + patches + 2u), ty);
+  precise float mass = 0.5f * (a + b);
+  precise float u = saturate((target - mass_west_of(row_sums, ty, column)) / max(mass, 1.0e-30f));
   float tx = linear_density_root(u, a, b);
 
   WarpedRoot root;

@@ -16,5 +16,5 @@ struct PlantedCell {
   float side_m;
   float rank_offset;      // ξ in (0, 1): blade k has rank (k + ξ)/N
   float other_density_per_m2;  // mean density of the cell's other species
-  float mean_height_m;         // of the sward here: the scale of self-shading
+  uint clump_seed;             // of the world: every world has its own tufts
 };
