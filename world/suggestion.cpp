@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace prairie {
@@ -38,7 +39,9 @@ std::size_t alignment_distance(std::string_view a, std::string_view b) {
 }
 
 bool lacks_only_the_unit(std::string_view word, std::string_view known) {
-  return word.size() >= 3 && known.size() > word.size() && known.starts_with(word) && known[word.size()] == '_';
+  constexpr std::string_view kUnits[] = {"_m", "_mm", "_deg", "_g", "_per_m", "_per_m2"};
+  return word.size() >= 3 && known.starts_with(word) &&
+         std::find(std::begin(kUnits), std::end(kUnits), known.substr(word.size())) != std::end(kUnits);
 }
 
 }  // namespace

@@ -62,12 +62,7 @@ void TableReader::refuse(std::string_view key, const std::string& expected) cons
 }
 
 void TableReader::refuse_unknown(const std::string& key) const {
-  std::vector<std::string> absent;
-  for (const std::string& known : known_) {
-    if (!table_->contains(known)) absent.push_back(known);
-  }
-  std::optional<std::string> meant = suggestion(key, absent);
-  if (!meant) meant = suggestion(key, known_);
+  const std::optional<std::string> meant = suggestion(key, known_);
   const std::string found = fmt::format("unknown key '{}'", printable(key));
   if (meant) refuse(key, found, fmt::format("a known one; did you mean '{}'?", *meant));
   refuse(key, found, fmt::format("one of {}", fmt::join(known_, ", ")));

@@ -8,6 +8,7 @@
 
 #include "generator/meadow.h"
 #include "maps/height_field.h"
+#include "world/map_loading.h"
 #include "world/scene.h"
 
 namespace prairie {
@@ -15,16 +16,6 @@ namespace prairie {
 struct WorldOptions {
   std::optional<std::uint64_t> seed;              // overrides the scene's
   std::uint64_t memory_budget_bytes = 2ull << 30;  // for maps
-};
-
-/// A map of the scene as it was opened; for reports.
-struct LoadedMap {
-  std::string field;  // the scene key that names it
-  std::string file;   // as the scene gives it
-  GridFrame frame;
-  int channels = 1;
-  bool in_memory = true;
-  std::uint64_t memory_bytes = 0;  // of its nodes; 0 where they stay on disk
 };
 
 class World {

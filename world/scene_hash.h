@@ -1,0 +1,16 @@
+// One number for "the same scene": equal wherever the folder lies and whatever its map files are called, different as
+// soon as a setting or a byte of a map differs.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "world/scene.h"
+
+namespace prairie {
+
+/// XXH3 of the scene's settings and of `content_hashes` (of the maps' bytes, by MapSpec::field).
+std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes);
+
+}  // namespace prairie

@@ -1,0 +1,90 @@
+#include "world/world.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <utility>
+
+#include "maps/error.h"
+#include "world/camera_placement.h"
+#include "world/scene_hash.h"
+
+namespace prairie {
+namespace {
+
+int count_maps(const Scene& scene) {
+  int count = scene.height ? 1 : 0;
+  for (const SpeciesSpec& spec : scene.species) count += spec.density ? 1 : 0;
+  return count + (scene.blade_height ? 1 : 0) + (scene.bend ? 1 : 0) + (scene.color ? 1 : 0);
+}
+
+glm::dvec2 extent_of(const GridFrame& frame) {
+  // Where a grid repeats, its last node has the first one as its neighbour.
+  const int beyond_last = frame.repeats ? 0 : 1;
+  return frame.spacing_m * glm::dvec2(frame.columns - beyond_last, frame.rows - beyond_last);
+}
+
+HeightField ground_from(const MapSpec& spec, MapLoader& loader) {
+  NodeGrid heights_m = loader.load_ground(spec);
+  const GridFrame& frame = heights_m.frame();
+  if (frame.columns < 2 || frame.rows < 2) {
+    throw BadInput(spec.file.string(), spec.field, fmt::format("{} × {} nodes", frame.columns, frame.rows),
+                   "at least 2 × 2");
+  }
+  try {
+    return HeightField(std::move(heights_m));
+  } catch (const BadInput& fault) {
+    // The height field knows nodes, not files.
+    throw BadInput(spec.file.string(), spec.field, fault.found, fault.expected);
+  }
+}
+
+Meadow load_meadow(const Scene& scene, MapLoader& loader) {
+  Meadow meadow;
+  meadow.seed = scene.seed;
+  meadow.tile_m = scene.tile_m;
+  meadow.soil_color = scene.soil_color;
+  meadow.extent_m = scene.extent_m;
+  if (scene.height) {
+    meadow.ground = ground_from(*scene.height, loader);
+    meadow.extent_m = extent_of(meadow.ground.frame());
+    meadow.repeats = meadow.ground.frame().repeats;
+  }
+  for (const SpeciesSpec& spec : scene.species) {
+    NodeGrid density_per_m2 = spec.density
+                                  ? loader.load(*spec.density, MapMeaning::kDensity)
+                                  : NodeGrid::uniform(static_cast<float>(spec.uniform_density_per_m2));
+    if (spec.density && !(meadow.extent_m.x > 0.0)) meadow.extent_m = extent_of(density_per_m2.frame());
+    meadow.species.push_back({spec.species, std::move(density_per_m2)});
+  }
+  if (scene.blade_height) meadow.blade_height = loader.load(*scene.blade_height, MapMeaning::kFactor);
+  if (scene.bend) meadow.bend = loader.load(*scene.bend, MapMeaning::kFactor);
+  if (scene.color) meadow.color = loader.load(*scene.color, MapMeaning::kColor);
+  if (!(meadow.extent_m.x > 0.0 && meadow.extent_m.y > 0.0)) {
+    throw BadInput((scene.folder / kSceneFileName).string(), "ground.size_m", "ground without an area",
+                   "a density map of at least 2 × 2 nodes, or a size");
+  }
+  loader.check_cover(meadow.extent_m);
+  return meadow;
+}
+
+}  // namespace
+
+World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)) {
+  if (options.seed) scene_.seed = *options.seed;
+  MapLoader loader(options.memory_budget_bytes, count_maps(scene_));
+  meadow_ = load_meadow(scene_, loader);
+  MapFindings& findings = loader.findings();
+  scene_hash_ = prairie::scene_hash(scene_, findings.content_hashes);
+  geo_reference_ = std::move(findings.geo_reference);
+  maps_ = std::move(findings.maps);
+  warnings_ = std::move(findings.warnings);
+  if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
+}
+
+void World::step(double dt_s) {
+  assert(dt_s > 0.0);
+  time_s_ += dt_s;
+}
+
+}  // namespace prairie
