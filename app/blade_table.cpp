@@ -1,0 +1,129 @@
+#include "app/blade_table.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <iterator>
+#include <vector>
+
+namespace prairie {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PLY is written in the order of this machine");
+
+constexpr std::uint32_t kSpeciesShift = 24;
+constexpr std::uint32_t kIndexMask = (1u << kSpeciesShift) - 1;
+
+struct FloatColumn {
+  const char* name;
+  float (*value)(const Blade&);
+};
+
+// What the seed gave each blade, in the order of struct Blade; the columns of both formats.
+constexpr std::array<FloatColumn, 12> kAttributes{{
+    {"height_m", [](const Blade& blade) { return blade.height_m; }},
+    {"width_m", [](const Blade& blade) { return blade.width_m; }},
+    {"azimuth_rad", [](const Blade& blade) { return blade.azimuth_rad; }},
+    {"tilt_rad", [](const Blade& blade) { return blade.tilt_rad; }},
+    {"curvature_rad", [](const Blade& blade) { return blade.curvature_rad; }},
+    {"lean_east", [](const Blade& blade) { return blade.lean.x; }},
+    {"lean_north", [](const Blade& blade) { return blade.lean.y; }},
+    {"hue", [](const Blade& blade) { return blade.hue; }},
+    {"dryness", [](const Blade& blade) { return blade.dryness; }},
+    {"stiffness", [](const Blade& blade) { return blade.stiffness; }},
+    {"mass_g", [](const Blade& blade) { return blade.mass_g; }},
+    {"phase_rad", [](const Blade& blade) { return blade.phase_rad; }},
+}};
+
+struct BladeIdentity {
+  std::uint32_t species = 0;
+  std::uint32_t cell = 0;
+  std::uint32_t index = 0;
+};
+
+// The cell follows from the root: its cells share the tile evenly.
+BladeIdentity identity_of(const Blade& blade, const Meadow& meadow) {
+  const auto half_m = static_cast<float>(meadow.tile_m / kCellsPerSide);
+  const std::uint32_t east = blade.root_m.x >= half_m ? 1 : 0;
+  const std::uint32_t north = blade.root_m.y >= half_m ? 1 : 0;
+  return {blade.identity >> kSpeciesShift, north * kCellsPerSide + east, blade.identity & kIndexMask};
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+template <typename Value>
+void append_bytes(std::string& bytes, Value value) {
+  const auto raw = std::bit_cast<std::array<char, sizeof(Value)>>(value);
+  bytes.append(raw.data(), raw.size());
+}
+
+std::string csv_rows(const Meadow& meadow, TileId tile, std::span<const Blade> blades) {
+  std::vector<std::string> names;
+  for (const PlantedSpecies& planted : meadow.species) names.push_back(quoted(planted.species.name));
+  const glm::dvec2 origin_m = tile_origin_m(meadow, tile);
+  fmt::memory_buffer text;
+  for (const Blade& blade : blades) {
+    const BladeIdentity identity = identity_of(blade, meadow);
+    const glm::dvec2 root_m = origin_m + glm::dvec2(blade.root_m);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{:.6f},{:.6f},{:.6f}", tile.i, tile.j,
+                   names[identity.species], identity.cell, identity.index, root_m.x, root_m.y,
+                   blade.ground_m);
+    for (const FloatColumn& column : kAttributes) {
+      fmt::format_to(std::back_inserter(text), ",{}", column.value(blade));
+    }
+    text.push_back('\n');
+  }
+  return fmt::to_string(text);
+}
+
+std::string ply_rows(const Meadow& meadow, TileId tile, std::span<const Blade> blades) {
+  const glm::dvec2 origin_m = tile_origin_m(meadow, tile);
+  std::string bytes;
+  for (const Blade& blade : blades) {
+    const BladeIdentity identity = identity_of(blade, meadow);
+    const glm::dvec2 root_m = origin_m + glm::dvec2(blade.root_m);
+    append_bytes(bytes, root_m.x);
+    append_bytes(bytes, root_m.y);
+    append_bytes(bytes, static_cast<double>(blade.ground_m));
+    append_bytes(bytes, tile.i);
+    append_bytes(bytes, tile.j);
+    append_bytes(bytes, static_cast<std::uint8_t>(identity.species));
+    append_bytes(bytes, static_cast<std::uint8_t>(identity.cell));
+    append_bytes(bytes, identity.index);
+    for (const FloatColumn& column : kAttributes) append_bytes(bytes, column.value(blade));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::string blade_table_header(BladeTableFormat format, const Meadow& meadow, std::uint64_t blade_count) {
+  if (format == BladeTableFormat::kCsv) {
+    std::string header = "tile_i,tile_j,species,cell,index,x_m,y_m,z_m";
+    for (const FloatColumn& column : kAttributes) header += fmt::format(",{}", column.name);
+    return header + '\n';
+  }
+  std::string header = "ply\nformat binary_little_endian 1.0\n";
+  for (std::size_t s = 0; s < meadow.species.size(); ++s) {
+    header += fmt::format("comment species {} {}\n", s, meadow.species[s].species.name);
+  }
+  header += fmt::format("element vertex {}\n", blade_count);
+  for (const char* name : {"x", "y", "z"}) header += fmt::format("property double {}\n", name);
+  header += "property int tile_i\nproperty int tile_j\n";
+  header += "property uchar species\nproperty uchar cell\nproperty uint index\n";
+  for (const FloatColumn& column : kAttributes) header += fmt::format("property float {}\n", column.name);
+  return header + "end_header\n";
+}
+
+std::string blade_rows(BladeTableFormat format, const Meadow& meadow, TileId tile,
+                       std::span<const Blade> blades) {
+  return format == BladeTableFormat::kCsv ? csv_rows(meadow, tile, blades) : ply_rows(meadow, tile, blades);
+}
+
+}  // namespace prairie

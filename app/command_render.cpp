@@ -1,0 +1,92 @@
+// `prairie render`: one picture without a window.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/camera_option.h"
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/installed_files.h"
+#include "app/messages.h"
+#include "app/open_world.h"
+#include "app/option_values.h"
+#include "app/outputs.h"
+#include "app/picture_file.h"
+#include "render/context.h"
+#include "render/renderer.h"
+
+namespace prairie {
+namespace {
+
+struct RenderOptions {
+  std::filesystem::path folder;
+  std::filesystem::path output;
+  std::string camera = kDefaultCamera;
+  glm::ivec2 size_px{1280, 720};
+  Tier tier = Tier::kAuto;
+  int samples = 1;
+};
+
+int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
+  const PictureFormat format = picture_format(options.output);
+  check_picture_budget(options.size_px, globals.max_memory_bytes);
+  check_output_file(options.output);
+  const World world = open_world(options.folder, globals);
+  const Camera camera = placed_camera(camera_option(options.camera, world), world, options.size_px);
+
+  const HeadlessContext context(globals.device);
+  Renderer renderer(world, shader_folder());
+  FrameOptions frame;
+  frame.tier = options.tier;
+  const Picture picture = renderer.render(camera, frame, options.samples);
+  write_output(options.output, encoded_picture(picture, format));
+  say_done(fmt::format("{}: {} × {} pixels, {} blades drawn", options.output.string(), picture.width,
+                       picture.height, picture.statistics.blades_drawn),
+           globals.quiet);
+  return kExitFine;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
+  CLI::App* command = app.add_subcommand("render", "Draws one picture, without a window");
+  auto options = std::make_shared<RenderOptions>();
+  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
+  command->add_option("-o,--output", options->output, "The picture: .png (8-bit sRGB) or .exr (linear float)")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--camera", options->camera,
+          "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees; z as +1.7 is above the "
+          "ground, yaw 0 looks north and turns clockwise, fov is vertical (default)")
+      ->type_name("NAME|NUMBERS");
+  command
+      ->add_option_function<std::string>(
+          "--size", [options](const std::string& text) { options->size_px = size_option("--size", text); },
+          "Pixels (1280x720)")
+      ->type_name("WxH");
+  command
+      ->add_option_function<std::string>(
+          "--tier", [options](const std::string& text) { options->tier = tier_option("--tier", text); },
+          "How grass is drawn: auto, hermite or flat (auto)")
+      ->type_name("TIER");
+  command
+      ->add_option_function<std::string>(
+          "--samples",
+          [options](const std::string& text) {
+            options->samples = int_option("--samples", text, 1, kMaxSamples);
+          },
+          "Frames averaged per picture, for smooth edges (1)")
+      ->type_name("N");
+  command->footer(
+      "Examples:\n"
+      "  prairie render examples/meadow -o meadow.png\n"
+      "  prairie render examples/meadow -o low.png --camera 40,20,+0.5,30,-5 --size 1920x1080 --samples 8\n"
+      "  prairie render examples/meadow -o linear.exr --tier flat --set sun.elevation_deg=12");
+  command->callback([options, &globals, &chosen] {
+    chosen = [options, &globals] { return render_picture(*options, globals); };
+  });
+}
+
+}  // namespace prairie

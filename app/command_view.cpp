@@ -1,0 +1,74 @@
+// `prairie view`: the command line of app/view.h.
+#include <memory>
+
+#include "app/camera_option.h"
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/open_world.h"
+#include "app/option_values.h"
+#include "app/view.h"
+
+namespace prairie {
+namespace {
+
+constexpr int kMostFrames = 1'000'000;
+
+struct ViewCommandOptions {
+  std::filesystem::path folder;
+  std::string camera = kDefaultCamera;
+  glm::ivec2 size_px{1280, 720};
+  ViewerOptions viewer;
+};
+
+int view(const ViewCommandOptions& options, const GlobalOptions& globals) {
+  const World world = open_world(options.folder, globals);
+  const Camera start = placed_camera(camera_option(options.camera, world), world, options.size_px);
+  view_world(world, start, options.viewer);
+  return kExitFine;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
+  CLI::App* command = app.add_subcommand("view", "Opens a window to fly over the meadow and walk through it");
+  auto options = std::make_shared<ViewCommandOptions>();
+  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
+  command
+      ->add_option("--camera", options->camera,
+                   "Where to start: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
+      ->type_name("NAME|NUMBERS");
+  command
+      ->add_option_function<std::string>(
+          "--size", [options](const std::string& text) { options->size_px = size_option("--size", text); },
+          "The window's pixels at first (1280x720)")
+      ->type_name("WxH");
+  command
+      ->add_option_function<std::string>(
+          "--tier",
+          [options](const std::string& text) { options->viewer.tier = tier_option("--tier", text); },
+          "How grass is drawn: auto, hermite or flat (auto)")
+      ->type_name("TIER");
+  command->add_flag("--msaa", options->viewer.msaa, "Smooth edges with 4 samples per pixel");
+  // For tests, and for whoever wants a picture of what the window shows.
+  command
+      ->add_option_function<std::string>(
+          "--frames",
+          [options](const std::string& text) {
+            options->viewer.frames = int_option("--frames", text, 1, kMostFrames);
+          },
+          "Close after so many frames")
+      ->group("");
+  command->add_option("--screenshot", options->viewer.screenshot, "Save the last picture")->group("");
+  command->footer(
+      "W A S D move, Q and E sink and rise, shift is fast, dragging the mouse turns; F switches between "
+      "walking\n"
+      "and flying, T between tiers, M smooth edges; F12 saves prairie-0001.png, …; H hides the text; Esc "
+      "ends.\n"
+      "Examples:\n"
+      "  prairie view examples/meadow\n"
+      "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080");
+  command->callback(
+      [options, &globals, &chosen] { chosen = [options, &globals] { return view(*options, globals); }; });
+}
+
+}  // namespace prairie

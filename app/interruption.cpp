@@ -1,0 +1,68 @@
+#include "app/interruption.h"
+
+#include <pthread.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/exit_code.h"
+
+namespace prairie {
+namespace {
+
+// Shared by the writing threads and the one that waits for signals; never destroyed, since that thread never
+// ends.
+struct Unfinished {
+  std::mutex mutex;
+  std::vector<std::filesystem::path> temporary_files;
+};
+
+Unfinished& unfinished() {
+  static auto* const instance = new Unfinished;
+  return *instance;
+}
+
+bool is_ignored(int signal_number) {
+  struct sigaction action {};
+  return sigaction(signal_number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+[[noreturn]] void wait_and_end(sigset_t signals) {
+  int signal_number = 0;
+  while (sigwait(&signals, &signal_number) != 0) {
+  }
+  const std::unique_lock lock(unfinished().mutex);
+  for (const std::filesystem::path& path : unfinished().temporary_files) unlink(path.c_str());
+  _exit(kExitSignalled + signal_number);
+}
+
+}  // namespace
+
+void watch_for_interruption() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  // A signal that the caller has switched off (nohup, a script's background job) stays off.
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+    if (!is_ignored(signal_number)) sigaddset(&signals, signal_number);
+  }
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread(wait_and_end, signals).detach();
+}
+
+UninterruptedWrite::UninterruptedWrite() : lock_(unfinished().mutex) {}
+
+TemporaryFile::TemporaryFile(std::filesystem::path path) : path_(std::move(path)) {
+  const std::unique_lock lock(unfinished().mutex);
+  unfinished().temporary_files.push_back(path_);
+}
+
+TemporaryFile::~TemporaryFile() {
+  const std::unique_lock lock(unfinished().mutex);
+  std::erase(unfinished().temporary_files, path_);
+}
+
+}  // namespace prairie

@@ -1,0 +1,18 @@
+#include "app/open_world.h"
+
+#include "app/messages.h"
+
+namespace prairie {
+
+World open_world(const std::filesystem::path& folder, const GlobalOptions& globals) {
+  WorldOptions options;
+  options.seed = globals.seed;
+  options.memory_budget_bytes = globals.max_memory_bytes;
+  World world(read_scene(folder, globals.overrides), options);
+  if (!globals.quiet) {
+    for (const std::string& warning : world.warnings()) say_warning(warning);
+  }
+  return world;
+}
+
+}  // namespace prairie
