@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kNodeTolerance = 1e-6;  // of a spacing: positions this close to a node are the node
 
-bool is_whole(double x) { return std::abs(x - std::round(x)) < kNodeTolerance; }
+bool is_whole(double x) {
+  return std::abs(x - std::round(x)) < kNodeTolerance;
+}
 
 bool lattice_holds_nodes(const GridFrame& frame, double step_m) {
   return frame.spacing_m >= step_m * (1.0 - kNodeTolerance) && is_whole(frame.spacing_m / step_m) &&
@@ -20,8 +22,8 @@ bool lattice_holds_nodes(const GridFrame& frame, double step_m) {
 
 // One axis of the lattice: which nodes contribute to each point, with which weights.
 struct AxisSample {
-  int first = 0;   // node index
-  int count = 0;   // 0: beyond the map
+  int first = 0;  // node index
+  int count = 0;  // 0: beyond the map
   double offset = 0.0;
 };
 

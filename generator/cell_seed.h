@@ -1,4 +1,5 @@
-// Seeds of cells: 64-bit mixes of (world seed, cell, species), so that no two cells share a stream however many there are.
+// Seeds of cells: 64-bit mixes of (world seed, cell, species), so that no two cells share a stream however
+// many there are.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,8 @@ constexpr std::uint64_t cell_seed(std::uint64_t world_seed, int cell_x, int cell
 }
 
 /// [0, 1), 53 bits.
-constexpr double unit_from_bits(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
+constexpr double unit_from_bits(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11) * 0x1.0p-53;
+}
 
 }  // namespace prairie

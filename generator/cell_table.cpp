@@ -38,7 +38,8 @@ bool plantable(const Meadow& meadow, glm::dvec2 min_m, glm::dvec2 max_m) {
   return inside_field(meadow, min_m, max_m) && meadow.ground.has_data(min_m, max_m);
 }
 
-// A cell that the field's border crosses is cut as finely as can be, since a patch is planted whole or not at all.
+// A cell that the field's border crosses is cut as finely as can be, since a patch is planted whole or not at
+// all.
 int patches_at(const Meadow& meadow, const CellPlace& place, int usual_patches) {
   return plantable(meadow, place.origin_m, place.origin_m + place.side_m) ? usual_patches : kMaxPatches;
 }
@@ -46,13 +47,14 @@ int patches_at(const Meadow& meadow, const CellPlace& place, int usual_patches) 
 struct DensityPatches {
   int patches = 1;
   double patch_m = 1.0;
-  double integral = 0.0;                      // blades
+  double integral = 0.0;  // blades
   float nodes[(kMaxPatches + 1) * (kMaxPatches + 1)] = {};
   bool has_mass[kMaxPatches * kMaxPatches] = {};
 
   int corner(int row, int column) const { return row * (patches + 1) + column; }
   double lower_mean(int row, int column) const {
-    return 0.5 * (static_cast<double>(nodes[corner(row, column)]) + static_cast<double>(nodes[corner(row, column + 1)]));
+    return 0.5 * (static_cast<double>(nodes[corner(row, column)]) +
+                  static_cast<double>(nodes[corner(row, column + 1)]));
   }
 };
 
@@ -107,7 +109,8 @@ void append_density_table(const DensityPatches& density, std::vector<float>& tab
   tables.insert(tables.end(), density.nodes, density.nodes + (m + 1) * (m + 1));
 }
 
-void append_ground_table(const Meadow& meadow, const CellPlace& place, double base_m, std::vector<float>& tables) {
+void append_ground_table(const Meadow& meadow, const CellPlace& place, double base_m,
+                         std::vector<float>& tables) {
   float heights_m[9];
   meadow.ground.sample_lattice(place.origin_m, 0.5 * place.side_m, 3, 3, heights_m);
   for (const float height_m : heights_m) {
@@ -115,23 +118,26 @@ void append_ground_table(const Meadow& meadow, const CellPlace& place, double ba
   }
 }
 
-void append_feature_table(const Meadow& meadow, const CellPlace& place, int patches, std::vector<float>& tables) {
+void append_feature_table(const Meadow& meadow, const CellPlace& place, int patches,
+                          std::vector<float>& tables) {
   constexpr std::size_t kNodes = (kMaxPatches + 1) * (kMaxPatches + 1);
   const std::size_t nodes = static_cast<std::size_t>((patches + 1) * (patches + 1));
   float lengths[kNodes];
   float bends[kNodes];
   float colors[3 * kNodes];
-  sample_cell_lattice(meadow.blade_height, place.origin_m, place.side_m, patches, std::span(lengths).first(nodes));
+  sample_cell_lattice(meadow.blade_height, place.origin_m, place.side_m, patches,
+                      std::span(lengths).first(nodes));
   sample_cell_lattice(meadow.bend, place.origin_m, place.side_m, patches, std::span(bends).first(nodes));
   if (meadow.color) {
-    sample_cell_lattice(*meadow.color, place.origin_m, place.side_m, patches, std::span(colors).first(3 * nodes));
+    sample_cell_lattice(*meadow.color, place.origin_m, place.side_m, patches,
+                        std::span(colors).first(3 * nodes));
   } else {
     std::fill(colors, colors + 3 * nodes, 1.0f);
   }
   const auto factor = [](float value) { return std::isfinite(value) ? value : 1.0f; };
   for (std::size_t n = 0; n < nodes; ++n) {
-    tables.insert(tables.end(), {factor(lengths[n]), factor(bends[n]), factor(colors[3 * n]), factor(colors[3 * n + 1]),
-                                 factor(colors[3 * n + 2])});
+    tables.insert(tables.end(), {factor(lengths[n]), factor(bends[n]), factor(colors[3 * n]),
+                                 factor(colors[3 * n + 1]), factor(colors[3 * n + 2])});
   }
 }
 
@@ -141,15 +147,17 @@ std::uint32_t random_rounding(double expectation, std::uint64_t seed) {
 
 }  // namespace
 
-PlantingLattice::PlantingLattice(const Meadow& meadow) : cell_m(meadow.tile_m / kCellsPerSide), feature_patches(0) {
+PlantingLattice::PlantingLattice(const Meadow& meadow)
+    : cell_m(meadow.tile_m / kCellsPerSide), feature_patches(0) {
   for (const PlantedSpecies& species : meadow.species) {
     density_patches.push_back(patches_for(species.density_per_m2, cell_m));
   }
   for (const NodeGrid* map : {&meadow.blade_height, &meadow.bend, meadow.color ? &*meadow.color : nullptr}) {
     if (map && !map->is_uniform()) feature_patches = std::max(feature_patches, patches_for(*map, cell_m));
   }
-  const bool uniform_factor = (meadow.blade_height.is_uniform() && meadow.blade_height.sample({0.0, 0.0}) != 1.0f) ||
-                              (meadow.bend.is_uniform() && meadow.bend.sample({0.0, 0.0}) != 1.0f);
+  const bool uniform_factor =
+      (meadow.blade_height.is_uniform() && meadow.blade_height.sample({0.0, 0.0}) != 1.0f) ||
+      (meadow.bend.is_uniform() && meadow.bend.sample({0.0, 0.0}) != 1.0f);
   if (uniform_factor) feature_patches = std::max(feature_patches, 1);
 }
 
@@ -157,7 +165,8 @@ double tile_base_m(const Meadow& meadow, TileId tile) {
   return std::round(static_cast<double>(meadow.ground.height_m(tile_origin_m(meadow, tile))));
 }
 
-void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell, CellTables& out) {
+void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell,
+                 CellTables& out) {
   const CellPlace place = place_of(meadow, tile, cell);
   const std::size_t first_cell = out.cells.size();
   const double area_m2 = place.side_m * place.side_m;
@@ -188,7 +197,8 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
     const glm::dvec2 clump_floor(std::floor(clumps.x), std::floor(clumps.y));
 
     PlantedCell planted_cell{};
-    planted_cell.key = {static_cast<std::uint32_t>(seed(kSequence)), static_cast<std::uint32_t>(seed(kAttributes))};
+    planted_cell.key = {static_cast<std::uint32_t>(seed(kSequence)),
+                        static_cast<std::uint32_t>(seed(kAttributes))};
     planted_cell.species = static_cast<std::uint32_t>(s);
     planted_cell.planted = planted;
     planted_cell.offset_m = cell_offset_m(meadow, cell);
@@ -203,7 +213,8 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
     planted_cell.feature_patches = static_cast<std::uint32_t>(lattice.feature_patches);
     planted_cell.side_m = static_cast<float>(place.side_m);
     planted_cell.rank_offset = static_cast<float>(unit_from_bits(seed(kRank)) * 0.998 + 0.001);
-    planted_cell.other_density_per_m2 = static_cast<float>(density.integral / area_m2);  // until all are known
+    planted_cell.other_density_per_m2 =
+        static_cast<float>(density.integral / area_m2);  // until all are known
     append_density_table(density, out.tables);
     out.cells.push_back(planted_cell);
   }
@@ -214,11 +225,13 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
   }
 }
 
-std::vector<double> expected_cell_counts(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell) {
+std::vector<double> expected_cell_counts(const Meadow& meadow, const PlantingLattice& lattice, TileId tile,
+                                         int cell) {
   const CellPlace place = place_of(meadow, tile, cell);
   std::vector<double> counts;
   for (int s = 0; s < static_cast<int>(meadow.species.size()); ++s) {
-    counts.push_back(density_patches(meadow, place, s, patches_at(meadow, place, lattice.density_patches[s])).integral);
+    counts.push_back(
+        density_patches(meadow, place, s, patches_at(meadow, place, lattice.density_patches[s])).integral);
   }
   return counts;
 }

@@ -1,5 +1,5 @@
-// Cells made ready for the planting kernel: counts, seeds and the tables of floats that the kernel reads. The tables are
-// made on the CPU alone, in double, so that both sides plant from the same bits.
+// Cells made ready for the planting kernel: counts, seeds and the tables of floats that the kernel reads. The
+// tables are made on the CPU alone, in double, so that both sides plant from the same bits.
 #pragma once
 
 #include <cstdint>
@@ -28,14 +28,16 @@ struct PlantingLattice {
   int feature_patches;               // 0: no feature map varies
 };
 
-/// Height that positions in a tile are relative to: the ground at its south-west corner, rounded to whole metres so that
-/// every cell of the tile finds the same.
+/// Height that positions in a tile are relative to: the ground at its south-west corner, rounded to whole
+/// metres so that every cell of the tile finds the same.
 double tile_base_m(const Meadow& meadow, TileId tile);
 
 /// Appends the cell of every species that has blades there (N ≥ 1).
-void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell, CellTables& out);
+void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell,
+                 CellTables& out);
 
 /// Integral of the density over the cell, per species: the expectation of N.
-std::vector<double> expected_cell_counts(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell);
+std::vector<double> expected_cell_counts(const Meadow& meadow, const PlantingLattice& lattice, TileId tile,
+                                         int cell);
 
 }  // namespace prairie

@@ -1,5 +1,5 @@
-// All that planting depends on: the ground, the species with their density maps, the features that vary over the field
-// (G03 §3.1), the tile grid and the seed. Plain data; everything planted is a pure function of it.
+// All that planting depends on: the ground, the species with their density maps, the features that vary over
+// the field (G03 §3.1), the tile grid and the seed. Plain data; everything planted is a pure function of it.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Meadow {
   std::vector<PlantedSpecies> species;
   NodeGrid blade_height = NodeGrid::uniform(1.0f);  // factors
   NodeGrid bend = NodeGrid::uniform(1.0f);
-  std::optional<NodeGrid> color;                    // three channels, linear
+  std::optional<NodeGrid> color;  // three channels, linear
   glm::vec3 soil_color{0.11f, 0.08f, 0.05f};
 };
 

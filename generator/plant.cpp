@@ -30,7 +30,8 @@ std::vector<Blade> plant_tile(const Meadow& meadow, const PlantingLattice& latti
   for (std::uint32_t s = 0; s < meadow.species.size(); ++s) {
     for (const PlantedCell& cell : tables.cells) {
       if (cell.species != s) continue;
-      plant_cell(cell, meadow.species[s].species.params, tables.tables, std::span(blades).subspan(next, cell.planted));
+      plant_cell(cell, meadow.species[s].species.params, tables.tables,
+                 std::span(blades).subspan(next, cell.planted));
       next += cell.planted;
     }
   }
@@ -43,24 +44,29 @@ std::vector<Blade> plant_tile(const Meadow& meadow, TileId tile) {
   return plant_tile(meadow, PlantingLattice(meadow), tile);
 }
 
-std::uint64_t tile_hash(const Meadow& meadow, TileId tile) { return hash_of(plant_tile(meadow, tile)); }
+std::uint64_t tile_hash(const Meadow& meadow, TileId tile) {
+  return hash_of(plant_tile(meadow, tile));
+}
 
 std::vector<std::uint64_t> tile_hashes(const Meadow& meadow, const TileRange& tiles) {
   const PlantingLattice lattice(meadow);
   const int columns = tiles.last.i - tiles.first.i + 1;
   std::vector<std::uint64_t> hashes(static_cast<std::size_t>(tiles.count()));
-  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::int64_t>(0, tiles.count()), [&](const auto& range) {
-    for (std::int64_t n = range.begin(); n != range.end(); ++n) {
-      const TileId tile{tiles.first.i + static_cast<int>(n % columns), tiles.first.j + static_cast<int>(n / columns)};
-      hashes[static_cast<std::size_t>(n)] = hash_of(plant_tile(meadow, lattice, tile));
-    }
-  });
+  oneapi::tbb::parallel_for(
+      oneapi::tbb::blocked_range<std::int64_t>(0, tiles.count()), [&](const auto& range) {
+        for (std::int64_t n = range.begin(); n != range.end(); ++n) {
+          const TileId tile{tiles.first.i + static_cast<int>(n % columns),
+                            tiles.first.j + static_cast<int>(n / columns)};
+          hashes[static_cast<std::size_t>(n)] = hash_of(plant_tile(meadow, lattice, tile));
+        }
+      });
   return hashes;
 }
 
 std::uint64_t planted_count(const Meadow& meadow, TileId tile) {
   std::uint64_t count = 0;
-  for (const PlantedCell& cell : tile_tables(meadow, PlantingLattice(meadow), tile).cells) count += cell.planted;
+  for (const PlantedCell& cell : tile_tables(meadow, PlantingLattice(meadow), tile).cells)
+    count += cell.planted;
   return count;
 }
 

@@ -1,5 +1,5 @@
-// Planting on the CPU: from maps and seed to blades (G03 §3.2; docs/design.md, D2). The blades are those that the
-// compute shader plants: both run shaders/kernels/plant.glsl.
+// Planting on the CPU: from maps and seed to blades (G03 §3.2; docs/design.md, D2). The blades are those that
+// the compute shader plants: both run shaders/kernels/plant.glsl.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,12 @@
 
 namespace prairie {
 
-/// All blades of a tile, ordered by species, cell, index in the cell. Positions are relative to the tile's south-west
-/// corner (x, y) and to `tile_base_m` (z, generator/cell_table.h), in metres.
+/// All blades of a tile, ordered by species, cell, index in the cell. Positions are relative to the tile's
+/// south-west corner (x, y) and to `tile_base_m` (z, generator/cell_table.h), in metres.
 std::vector<Blade> plant_tile(const Meadow& meadow, TileId tile);
 
-/// A hash of everything that `plant_tile` returns; equal on every compiler, optimisation level and thread count.
+/// A hash of everything that `plant_tile` returns; equal on every compiler, optimisation level and thread
+/// count.
 std::uint64_t tile_hash(const Meadow& meadow, TileId tile);
 
 /// Hashes of all tiles of a range, ordered by j then i, planted in parallel.

@@ -5,9 +5,10 @@
 
 #include "shaders/kernels/kernels.h"
 
-// The kernels are planted in stages over short blocks, each stage's results in arrays of their own, so that the compiler
-// plants 4 or 8 blades with one instruction; the results are those of Kernels::plant_blade, bit for bit. AVX2 is used
-// where the processor has it. Fused multiply-add, which would round differently, stays off (-ffp-contract=off).
+// The kernels are planted in stages over short blocks, each stage's results in arrays of their own, so that
+// the compiler plants 4 or 8 blades with one instruction; the results are those of Kernels::plant_blade, bit
+// for bit. AVX2 is used where the processor has it. Fused multiply-add, which would round differently, stays
+// off (-ffp-contract=off).
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define PRAIRIE_STAGE __attribute__((noinline, flatten, target_clones("arch=x86-64-v3", "default")))
@@ -60,17 +61,20 @@ PRAIRIE_STAGE void draw_points(const PlantedCell& cell, std::uint32_t first, Roo
   }
 }
 
-PRAIRIE_STAGE void warp_points(const PlantedCell& cell, const float* __restrict tables, Roots& __restrict roots) {
+PRAIRIE_STAGE void warp_points(const PlantedCell& cell, const float* __restrict tables,
+                               Roots& __restrict roots) {
   Kernels kernels{tables};
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const glm::vec2 local_m = kernels.root_in_cell(
-        cell, kernels.warp_to_density(cell.density_table, cell.patches, {roots.point_x[n], roots.point_y[n]}));
+        cell,
+        kernels.warp_to_density(cell.density_table, cell.patches, {roots.point_x[n], roots.point_y[n]}));
     roots.x_m[n] = local_m.x;
     roots.y_m[n] = local_m.y;
   }
 }
 
-PRAIRIE_STAGE void find_ground(const PlantedCell& cell, const float* __restrict tables, Roots& __restrict roots) {
+PRAIRIE_STAGE void find_ground(const PlantedCell& cell, const float* __restrict tables,
+                               Roots& __restrict roots) {
   Kernels kernels{tables};
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     roots.ground_m[n] =
@@ -95,8 +99,8 @@ PRAIRIE_STAGE void draw_traits(const PlantedCell& cell, std::uint32_t first, Tra
   }
 }
 
-PRAIRIE_STAGE void find_clumps(const PlantedCell& cell, const SpeciesParams& species, const Roots& __restrict roots,
-                               ClumpBlock& __restrict block) {
+PRAIRIE_STAGE void find_clumps(const PlantedCell& cell, const SpeciesParams& species,
+                               const Roots& __restrict roots, ClumpBlock& __restrict block) {
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const Kernels::Clump clump = Kernels{}.clump_of(cell, species, {roots.x_m[n], roots.y_m[n]});
     block.height[n] = clump.height;
@@ -110,9 +114,11 @@ PRAIRIE_STAGE void find_clumps(const PlantedCell& cell, const SpeciesParams& spe
 }
 
 Kernels::Traits traits_at(const TraitBlock& block, std::uint32_t n) {
-  return {block.height[n],  block.width[n],     block.azimuth[n], block.tilt[n],
-          block.curvature[n], block.hue[n],     block.dryness[n], block.stiffness[n],
-          block.phase[n],   {block.lean_x[n], block.lean_y[n]}};
+  return {block.height[n],    block.width[n],
+          block.azimuth[n],   block.tilt[n],
+          block.curvature[n], block.hue[n],
+          block.dryness[n],   block.stiffness[n],
+          block.phase[n],     {block.lean_x[n], block.lean_y[n]}};
 }
 
 Kernels::Clump clump_at(const ClumpBlock& block, std::uint32_t n) {
@@ -137,12 +143,14 @@ void plant_cell(const PlantedCell& cell, const SpeciesParams& species, std::span
     find_ground(cell, tables.data(), roots);
     draw_traits(cell, first, traits);
     find_clumps(cell, species, roots, clumps);
-    const std::uint32_t count = std::min<std::uint32_t>(kBlock, static_cast<std::uint32_t>(out.size()) - first);
+    const std::uint32_t count =
+        std::min<std::uint32_t>(kBlock, static_cast<std::uint32_t>(out.size()) - first);
     for (std::uint32_t n = 0; n < count; ++n) {
       const glm::vec2 local_m(roots.x_m[n], roots.y_m[n]);
       out[first + n] = kernels.grow_blade(
           cell, species, first + n, local_m, traits_at(traits, n), clump_at(clumps, n),
-          kernels.features_in_cell(cell.feature_table, cell.feature_patches, cell.side_m, local_m), roots.ground_m[n]);
+          kernels.features_in_cell(cell.feature_table, cell.feature_patches, cell.side_m, local_m),
+          roots.ground_m[n]);
     }
   }
 }

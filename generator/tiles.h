@@ -1,5 +1,6 @@
-// Tiles and cells: the squares that planting counts in (docs/design.md, D2). Tile (0, 0) is the south-west one, i counts
-// east, j north; a tile is planted as 2 × 2 cells, numbered 0 south-west, 1 south-east, 2 north-west, 3 north-east.
+// Tiles and cells: the squares that planting counts in (docs/design.md, D2). Tile (0, 0) is the south-west
+// one, i counts east, j north; a tile is planted as 2 × 2 cells, numbered 0 south-west, 1 south-east, 2
+// north-west, 3 north-east.
 #pragma once
 
 #include <compare>

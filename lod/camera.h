@@ -1,4 +1,5 @@
-// A pinhole camera in the scene, and the transforms that follow from it. Positions in double, directions in float.
+// A pinhole camera in the scene, and the transforms that follow from it. Positions in double, directions in
+// float.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -9,19 +10,24 @@ namespace prairie {
 
 struct Camera {
   glm::dvec3 eye_m{0.0};
-  double yaw_rad = 0.0;    // 0 looks north (+y), clockwise
-  double pitch_rad = 0.0;  // up positive
+  double yaw_rad = 0.0;                 // 0 looks north (+y), clockwise
+  double pitch_rad = 0.0;               // up positive
   double fov_rad = 1.0471975511965976;  // vertical; ignored when orthographic
   double orthographic_height_m = 0.0;   // > 0: parallel projection of this height
   glm::ivec2 size_px{800, 600};
   double near_m = 0.05;
+  double orthographic_depth_m = 4000.0;  // how far a parallel projection reaches from the eye
 
   glm::dvec3 forward() const;
   glm::dvec3 right() const;
   glm::dvec3 up() const;
+  bool is_orthographic() const { return orthographic_height_m > 0.0; }
   /// Height of one pixel at distance 1 m (perspective), or anywhere (orthographic), metres.
   double pixel_m() const;
-  /// Clip space (reversed z, depth 1 at the near plane, 0 at infinity) from the frame whose origin is the eye and whose axes are the scene's.
+  /// Height of one pixel at a distance, metres.
+  double pixel_m_at(double distance_m) const;
+  /// Clip space (z in [0, w], reversed: depth 1 at the near plane, 0 at infinity) from the frame whose origin
+  /// is the eye and whose axes are the scene's.
   glm::mat4 clip_from_eye() const;
 };
 

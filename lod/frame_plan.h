@@ -1,5 +1,53 @@
+// What one frame draws: which cells are seen, how many of their blades, where those go in the renderer's
+// buffers, and which patches of ground. Made by lod/planner.h, drawn by render/; the renderer decides nothing
+// about plants.
 #pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lod/camera.h"
+#include "shaders/shared/layouts.h"
+
 namespace prairie {
-/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide.
+
+/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide. `kHermite` draws every
+/// planted blade at any distance, `kFlat` none.
 enum class Tier { kAuto, kHermite, kFlat };
+
+/// A run of `FramePlan::cells` whose blades have equally many segments.
+struct CellGroup {
+  std::uint32_t segments = 1;
+  std::uint32_t first_cell = 0;
+  std::uint32_t cell_count = 0;
+};
+
+/// Sides of a ground patch along which the neighbour is twice as coarse.
+enum PatchSide : std::uint8_t { kWest = 1, kEast = 2, kSouth = 4, kNorth = 8 };
+
+/// A square of ground, drawn as kPatchQuads × kPatchQuads quads of side kFinestQuad_m · 2^level.
+struct GroundPatch {
+  int level = 0;
+  int column = 0;  // of its south-west corner, in patches of its level from the scene's origin
+  int row = 0;
+  std::uint8_t coarser_sides = 0;
+};
+
+inline constexpr int kPatchQuads = 16;
+inline constexpr double kFinestQuadM = 0.5;
+
+/// Side of a patch, metres.
+double patch_side_m(int level);
+
+struct FramePlan {
+  Camera camera;
+  LodCoefficients lod{};
+  std::vector<DrawnCell> cells;     // grouped by segments, front to back in each group
+  std::vector<CellGroup> groups;    // most segments first
+  std::vector<float> tables;        // what the cells' table words index
+  std::vector<GroundPatch> ground;  // front to back
+  std::uint64_t blades_planted_in_view = 0;
+  std::uint64_t blades_drawn = 0;
+};
+
 }  // namespace prairie

@@ -1,18 +1,19 @@
-// A scene as its file says it (scene.toml), before any map is opened: plain data, checked, with defaults filled in.
+// A scene as its file says it (scene.toml), before any map is opened: plain data, checked, with defaults
+// filled in.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-
 #include "generator/species.h"
+#include "lod/quality.h"
 #include "maps/error.h"
 #include "maps/map_file.h"
 
@@ -38,14 +39,11 @@ struct SpeciesSpec {
 struct SunSpec {
   double azimuth_deg = 150.0;  // clockwise from north
   double elevation_deg = 38.0;
-  glm::vec3 color{1.0f, 0.93f, 0.80f};   // linear, relative
+  glm::vec3 color{1.0f, 0.93f, 0.80f};  // linear, relative
   double intensity = 3.2;
   double sky_intensity = 1.0;
-  double haze_per_m = 0.0012;            // fog density b of RG "Fog"
+  double haze_per_m = 0.0012;  // fog density b of RG "Fog"
 };
-
-/// Coefficients of B11's weight function (§2.2) are chosen by quality.
-enum class Quality { kLow, kMedium, kHigh };
 
 struct LodSpec {
   Quality quality = Quality::kMedium;
@@ -56,12 +54,12 @@ struct Scene {
   std::filesystem::path folder;
   std::uint64_t seed = 1;
   double tile_m = 4.0;
-  std::optional<MapSpec> height;         // none: level ground
-  glm::dvec2 extent_m{0.0};              // of level ground without a map; (0, 0) with one
+  std::optional<MapSpec> height;  // none: level ground
+  glm::dvec2 extent_m{0.0};       // of level ground without a map; (0, 0) with one
   std::vector<SpeciesSpec> species;
-  std::optional<MapSpec> blade_height;   // factor on the length of blades
-  std::optional<MapSpec> bend;           // factor on their curvature
-  std::optional<MapSpec> color;          // factor on their colour (and the ground's)
+  std::optional<MapSpec> blade_height;  // factor on the length of blades
+  std::optional<MapSpec> bend;          // factor on their curvature
+  std::optional<MapSpec> color;         // factor on their colour (and the ground's)
   std::vector<CameraSpec> cameras;
   SunSpec sun;
   LodSpec lod;
@@ -77,10 +75,10 @@ inline constexpr const char* kSceneFileName = "scene.toml";
 inline constexpr double kMaxDensityPerM2 = 1e5;
 inline constexpr int kMaxSpecies = 16;
 
-/// Reads DIR/scene.toml; `overrides` are "key=value" with dotted keys ("lod.quality=high", "species.0.height_m=0.5" or
-/// by name "species.fescue.height_m=0.5") and TOML values, or plain text. Every key is known, of the right type and in
-/// range, or BadInput (for an override, BadOverride) says which is not, what it found, and (for a typing error) which
-/// key was meant. Maps are not opened.
+/// Reads DIR/scene.toml; `overrides` are "key=value" with dotted keys ("lod.quality=high",
+/// "species.0.height_m=0.5" or by name "species.fescue.height_m=0.5") and TOML values, or plain text. Every
+/// key is known, of the right type and in range, or BadInput (for an override, BadOverride) says which is
+/// not, what it found, and (for a typing error) which key was meant. Maps are not opened.
 Scene read_scene(const std::filesystem::path& folder, const std::vector<std::string>& overrides);
 
 /// The same for a scene file's text; `folder` is where its maps' relative paths start.

@@ -1,0 +1,31 @@
+// Plans frames: culls the tile quadtree against the camera, bounds how many blades each cell shows, and lays
+// them out for the renderer (docs/design.md, D3). Keeps prepared cells from frame to frame; the plan depends
+// on camera and meadow alone.
+#pragma once
+
+#include "generator/meadow.h"
+#include "lod/cell_cache.h"
+#include "lod/frame_plan.h"
+#include "lod/quality.h"
+
+namespace prairie {
+
+struct PlanOptions {
+  Tier tier = Tier::kAuto;
+  Quality quality = Quality::kMedium;
+  double blade_distance_m = 120.0;
+};
+
+class Planner {
+ public:
+  explicit Planner(const Meadow& meadow);
+
+  FramePlan plan(const Camera& camera, const PlanOptions& options);
+
+ private:
+  const Meadow* meadow_;
+  CellCache cache_;
+  double tallest_blade_m_;
+};
+
+}  // namespace prairie

@@ -1,0 +1,34 @@
+// How many of a cell's blades a frame needs: the bound on B11's keep share 1 − F over the cell
+// (shaders/kernels/weight.glsl), and the coefficients that each quality level gives it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "lod/camera.h"
+#include "lod/frustum.h"
+#include "lod/quality.h"
+#include "shaders/shared/layouts.h"
+
+namespace prairie {
+
+/// Coefficients of B11's weight function (§2.2). `blade_distance_m`: beyond it no blade is drawn.
+LodCoefficients lod_coefficients(Quality quality, double blade_distance_m);
+
+/// Coefficients under which every blade is drawn as planted, at any distance.
+LodCoefficients all_blades();
+
+/// The ground of a cell as seen from an eye.
+struct CellView {
+  Box box;                           // of the cell's ground
+  std::span<const float> heights_m;  // 3 × 3, as in PlantedCell::ground_table
+  double side_m;
+};
+
+/// An upper bound of keep_share over the cell.
+double keep_bound(const LodCoefficients& lod, const Camera& camera, const CellView& cell);
+
+/// How many blades of the cell can be drawn: those whose rank (k + ξ)/N is below the bound.
+std::uint32_t drawn_bound(const PlantedCell& cell, double keep);
+
+}  // namespace prairie
