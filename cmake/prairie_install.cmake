@@ -29,5 +29,5 @@ endforeach()
 configure_package_config_file(cmake/prairieConfig.cmake.in ${PROJECT_BINARY_DIR}/prairieConfig.cmake
   INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/prairieConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/prairieConfig.cmake ${PROJECT_BINARY_DIR}/prairieConfigVersion.cmake
-  DESTINATION ${package_dir})
+install(FILES cmake/FindOpenImageIO.cmake ${PROJECT_BINARY_DIR}/prairieConfig.cmake
+  ${PROJECT_BINARY_DIR}/prairieConfigVersion.cmake DESTINATION ${package_dir})
