@@ -38,6 +38,12 @@ struct Kernels {
 #include "shaders/kernels/cell_ground.glsl"
 #include "shaders/kernels/features.glsl"
 #include "shaders/kernels/plant.glsl"
+#include "shaders/kernels/weight.glsl"
+#include "shaders/kernels/pose.glsl"
+#include "shaders/kernels/hermite.glsl"
+#include "shaders/kernels/color.glsl"
+#include "shaders/kernels/lighting.glsl"
+#include "shaders/kernels/tone.glsl"
 };
 #undef precise
 

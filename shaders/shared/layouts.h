@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -11,6 +12,7 @@ namespace prairie {
 
 namespace layouts {
 using glm::ivec2;
+using glm::mat4;
 using glm::uvec2;
 using glm::vec2;
 using glm::vec3;
@@ -19,16 +21,31 @@ using uint = glm::uint;
 
 #include "shaders/shared/blade.glsl"
 #include "shaders/shared/planted_cell.glsl"
+#include "shaders/shared/drawn_cell.glsl"
+#include "shaders/shared/lod.glsl"
+#include "shaders/shared/frame.glsl"
+#include "shaders/shared/posed_blade.glsl"
 #include "shaders/shared/species.glsl"
 
 }  // namespace layouts
 
 using layouts::Blade;
+using layouts::DrawnCell;
+using layouts::FrameParams;
+using layouts::LodCoefficients;
 using layouts::PlantedCell;
+using layouts::PosedBlade;
 using layouts::SpeciesParams;
 
 static_assert(sizeof(Blade) == 64);
 static_assert(offsetof(Blade, lean) == 32);
+static_assert(sizeof(DrawnCell) == 112);
+static_assert(offsetof(DrawnCell, eye_from_tile_m) == 80);
+static_assert(sizeof(FrameParams) == 272);
+static_assert(offsetof(FrameParams, anchor_m) == 224);
+static_assert(offsetof(FrameParams, lod) == 240);
+static_assert(sizeof(LodCoefficients) == 32);
+static_assert(sizeof(PosedBlade) == 80);
 static_assert(sizeof(PlantedCell) == 80);
 static_assert(offsetof(PlantedCell, clump_lattice) == 32);
 static_assert(sizeof(SpeciesParams) == 128);

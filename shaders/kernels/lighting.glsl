@@ -1,0 +1,38 @@
+// Light on blades (B11 §2.3): I = Ka Ia + Kd Id (max(N·L, 0) + C max(−N·L, 0)) + Is, with Ka = Kd = the albedo,
+// Ia = Ia** + l (Ia* − Ia**), Id = Id* l⁶, Is = Ks l⁶ (1 − max(N_L·V, 0))¹⁰ and l = 0 at the root, 1 at the tip.
+// Deviations: Id falls to l⁶ only as far as the local density shades (`shade`); Is is largest at contours, as the text
+// says, where the printed (N_L·V)¹⁰ is largest looking straight down, and is lit by the sky.
+
+float power6(float l) {
+  precise float l2 = l * l;
+  return l2 * l2 * l2;
+}
+
+float power10(float x) {
+  precise float x2 = x * x;
+  precise float x4 = x2 * x2;
+  return x4 * x4 * x2;
+}
+
+// Part of the sun that reaches height l of a blade.
+float sun_share(float l, float shade) { return lerp(1.0f, power6(l), shade); }
+
+// How strongly neighbours shade a blade: the probability that one stands in the way.
+float shade_of(float density_per_m2, float shade_density_per_m2) {
+  precise float x = density_per_m2 / shade_density_per_m2;
+  // 1 − 1/(1 + x/2)² follows 1 − e^(−x) without an exponential.
+  precise float y = 1.0f + 0.5f * x;
+  return 1.0f - 1.0f / (y * y);
+}
+
+// `n_dot_l`: of the blade's normal on the viewer's side; `ground_n_dot_v`: N_L·V.
+vec3 blade_radiance(FrameParams frame, vec3 albedo, vec3 transmission, float specular, float l, float shade, float n_dot_l, float ground_n_dot_v) {
+  vec3 ambient = mixed(frame.root_ambient, frame.top_ambient, lerp(1.0f, l, shade));
+  float sun = sun_share(l, shade);
+  float front = max(n_dot_l, 0.0f) * sun;
+  float back = max(-n_dot_l, 0.0f) * sun;
+  float contour = specular * power6(l) * power10(1.0f - saturate(ground_n_dot_v));
+  return vec3(albedo.x * (ambient.x + frame.sun_radiance.x * (front + transmission.x * back)) + contour * frame.horizon_radiance.x,
+              albedo.y * (ambient.y + frame.sun_radiance.y * (front + transmission.y * back)) + contour * frame.horizon_radiance.y,
+              albedo.z * (ambient.z + frame.sun_radiance.z * (front + transmission.z * back)) + contour * frame.horizon_radiance.z);
+}

@@ -1,0 +1,49 @@
+#version 450 core
+// A vertex of a posed blade: a point of its Hermite curve, half a width to one side; lit here (B11 §2.3), since blades are a
+// pixel or two wide. Vertices come in pairs from the foot up, the last one is the tip.
+#include "shaders/pass/layouts.glsl"
+#include "shaders/pass/frame_block.glsl"
+
+float table_value(uint word) { return 0.0f; }
+#include "shaders/pass/kernels.glsl"
+#include "shaders/pass/haze.glsl"
+
+layout(std430, binding = 2) readonly buffer SpeciesTable { SpeciesParams species_table[]; };
+layout(std430, binding = 4) readonly buffer PosedBlades { PosedBlade posed[]; };
+layout(location = 0) uniform uint segments;
+
+layout(location = 0) out vec3 radiance;
+
+void main() {
+  uint vertices = 2u * segments + 1u;
+  uint index = uint(gl_VertexID) / vertices;
+  uint vertex = uint(gl_VertexID) - index * vertices;
+  PosedBlade blade = posed[index];
+  float t = float(vertex / 2u) / float(segments);
+  float sign = vertex == 2u * segments ? 0.0f : ((vertex & 1u) == 0u ? -1.0f : 1.0f);
+
+  vec3 centre_m = hermite_point(blade.base_m, blade.tip_m, blade.base_tangent_m, blade.tip_tangent_m, t);
+  vec3 along = hermite_derivative(blade.base_m, blade.tip_m, blade.base_tangent_m, blade.tip_tangent_m, t);
+  vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-centre_m);
+
+  // A blade seen edge-on is turned part of the way towards the eye: it is folded, not a sheet without thickness.
+  vec3 facing = normalized(outer(along, to_eye));
+  float edge_on = dot(facing, blade.side);
+  vec3 side = normalized(blade.side + facing * (edge_on < 0.0f ? -0.45f : 0.45f));
+  vec3 position_m = centre_m + side * (0.5f * sign * blade.width_m * blade_profile(t));
+
+  vec3 normal = normalized(outer(side, along));
+  if (dot(normal, to_eye) < 0.0f) normal = -normal;
+  // The two halves of a blade are tilted against each other.
+  normal = normalized(normal + side * (0.5f * sign));
+  vec2 ground_xy = vec2(float((blade.species_and_normal >> 12u) & 4095u), float(blade.species_and_normal & 4095u)) / 4095.0f * 2.0f - 1.0f;
+  vec3 ground_normal = vec3(ground_xy, sqrt(max(1.0f - dot(ground_xy, ground_xy), 0.0f)));
+
+  SpeciesParams species = species_table[blade.species_and_normal >> 24u];
+  vec3 albedo = mix(unpack_color(blade.root_color), unpack_color(blade.tip_color), t);
+  vec3 lit = blade_radiance(frame, albedo, species.transmission, species.specular, t, blade.shade,
+                            dot(normal, frame.sun_direction), dot(ground_normal, to_eye));
+  radiance = hazed(lit, position_m);
+  gl_Position = frame.clip_from_eye * vec4(position_m, 1.0f);
+  gl_Position.xy += frame.jitter * gl_Position.w;
+}

@@ -1,0 +1,59 @@
+#version 450 core
+// The flat tier (G03 §3.5): ground in the mean colour of the blades that stand on it, and the soil between them. Where
+// blades are drawn it is their shaded floor; where they have sunk with distance it stands for them.
+#include "shaders/pass/layouts.glsl"
+#include "shaders/pass/frame_block.glsl"
+
+float table_value(uint word) { return 0.0f; }
+#include "shaders/pass/kernels.glsl"
+#include "shaders/pass/haze.glsl"
+
+layout(binding = 0) uniform sampler2D flat_map;  // rgb: mean albedo of the blades, a: the ground they cover
+
+layout(location = 0) in vec3 from_eye_m;
+layout(location = 1) in vec3 ground_normal;
+layout(location = 0) out vec4 color;
+
+float value_noise(vec2 p) {
+  vec2 cell = floor(p);
+  vec2 f = p - cell;
+  f = f * f * (3.0 - 2.0 * f);
+  ivec2 i = ivec2(cell);
+  vec4 v;
+  for (int n = 0; n < 4; ++n) {
+    uint h = hash_u32(uint(i.x + (n & 1)) * 0x9e3779b9u ^ hash_u32(uint(i.y + (n >> 1))));
+    v[n] = unit_from_u32(h);
+  }
+  return mix(mix(v.x, v.y, f.x), mix(v.z, v.w, f.x), f.y);
+}
+
+void main() {
+  vec2 place_m = frame.anchor_m + (from_eye_m.xy - frame.ground_from_eye_m.xy);
+  vec2 extent_m = vec2(frame.field_extent_x_m, frame.field_extent_y_m);
+  // Texel centres are map nodes, which lie on the field's border.
+  vec4 grass = texture(flat_map, (place_m + 0.5 * frame.ground_texel_m) / (extent_m + frame.ground_texel_m));
+
+  float distance_m = length(from_eye_m);
+  float detail = frame.parallel > 0.5 ? 1.0 : saturate(1.5 - distance_m / 60.0);
+  float grain = mix(0.5, 0.65 * value_noise(place_m * 9.0) + 0.35 * value_noise(place_m * 37.0), detail);
+  float patchy = value_noise(place_m * 0.9);
+  grass.a = saturate(grass.a + 0.5 * (grain - 0.5) * grass.a * (1.0 - grass.a) * 4.0);
+
+  vec3 normal = normalize(ground_normal);
+  float n_dot_l = dot(normal, frame.sun_direction);
+  float level_n_dot_l = max(frame.sun_direction.z, 0.05);
+  vec3 soil_albedo = frame.soil_color * (0.6 + 0.8 * grain);
+  vec3 soil = soil_albedo * (frame.top_ambient + frame.sun_radiance * max(n_dot_l, 0.0));
+
+  // Blades turn every way, so a slope changes what the sun gives them by less than it changes flat ground's.
+  float tilt = mix(1.0, clamp(n_dot_l / level_n_dot_l, 0.0, 2.0), 0.5);
+  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m / max(distance_m, 1e-4);
+  float contour = 0.05 * power10(1.0 - saturate(dot(normal, to_eye)));
+  vec3 sward = grass.rgb * frame.flat_response * tilt * (0.86 + 0.28 * patchy) + contour * frame.horizon_radiance * grass.a;
+
+  float standing = 1.0 - smooth_ramp((distance_m - frame.lod.fade_start_m) / (frame.lod.fade_end_m - frame.lod.fade_start_m));
+  vec3 floor_of_sward = mix(soil * (1.0 - 0.75 * grass.a), grass.rgb * frame.root_ambient * 1.4, 0.6 * grass.a);
+  vec3 distant = mix(soil, sward, grass.a);
+  vec3 radiance = mix(distant, floor_of_sward, standing);
+  color = vec4(hazed(radiance, from_eye_m), 1.0);
+}

@@ -1,0 +1,18 @@
+// Sky and haze (RG, "Fog"): what lies behind a distance takes the sky's colour, and the sun's where one looks towards it.
+
+vec3 sky_radiance(vec3 direction) {
+  float up = max(direction.z, 0.0f);
+  float low = pow(1.0f - up, 5.0f);
+  vec3 sky = mix(frame.zenith_radiance, frame.horizon_radiance, low);
+  float towards_sun = max(dot(direction, frame.sun_direction), 0.0f);
+  float halo = pow(towards_sun, frame.sun_halo);
+  return sky + frame.sun_radiance * (0.10f * halo * (0.4f + 0.6f * low));
+}
+
+vec3 hazed(vec3 radiance, vec3 from_eye_m) {
+  if (frame.parallel > 0.5f) return radiance;
+  float distance_m = length(from_eye_m);
+  float haze = 1.0f - exp(-frame.haze_per_m * distance_m);
+  vec3 direction = from_eye_m / max(distance_m, 1.0e-4f);
+  return mix(radiance, sky_radiance(vec3(direction.xy, max(direction.z, 0.0f) * 0.3f)), haze);
+}

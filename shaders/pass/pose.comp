@@ -1,0 +1,54 @@
+#version 450 core
+// Plants and poses the blades of a batch: from the plan's cells to Hermite curves as seen from the eye (docs/design.md, D3).
+#include "shaders/pass/layouts.glsl"
+#include "shaders/pass/frame_block.glsl"
+#include "shaders/pass/planting.glsl"
+#include "shaders/pass/kernels.glsl"
+
+layout(std430, binding = 4) writeonly buffer PosedBlades { PosedBlade posed[]; };
+
+uint packed_normal(uint species, vec3 normal) {
+  uint x = uint((normal.x * 0.5f + 0.5f) * 4095.0f + 0.5f);
+  uint y = uint((normal.y * 0.5f + 0.5f) * 4095.0f + 0.5f);
+  return (species << 24u) | (x << 12u) | y;
+}
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= blade_count) return;
+  uint c = cell_of(index);
+  PlantedCell cell = cells[c].planted;
+  vec3 eye_from_tile_m = cells[c].eye_from_tile_m;
+  uint k = index - cells[c].first_blade;
+
+  SpeciesParams species = species_table[cell.species];
+  WarpedRoot root = plant_root(cell, k);
+  vec2 local_m = root_in_cell(cell, root);
+  GroundPoint ground = ground_in_cell(cell.ground_table, cell.side_m, local_m);
+  Features features = features_in_cell(cell.feature_table, cell.feature_patches, cell.side_m, local_m);
+
+  vec3 root_m = eye_from_tile_m + vec3(cell.offset_m + local_m, ground.height_m);
+  float distance_m = sqrt(inner(root_m, root_m));
+  vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : -root_m / max(distance_m, 1.0e-6f);
+  float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
+  vec3 normal = normalized(vec3(-ground.slope, 1.0f));
+  float keep = keep_share(frame.lod, inner(normal, to_eye), pixel_m, distance_m);
+  float rank = (float(k) + cell.rank_offset) / float(cell.planted);
+  float growth = growth_of(frame.lod, keep, rank);
+
+  Blade blade = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k), clump_of(cell, species, local_m), features, ground.height_m);
+  BladeCurve curve = pose_blade(blade, ground.slope, growth);
+
+  PosedBlade result;
+  result.base_m = eye_from_tile_m + curve.base_m;
+  result.tip_m = eye_from_tile_m + curve.tip_m;
+  result.base_tangent_m = curve.base_tangent_m;
+  result.tip_tangent_m = curve.tip_tangent_m;
+  result.side = curve.side;
+  result.width_m = growth > 0.0f ? widened_m(frame.lod, keep, blade.width_m, pixel_m) : 0.0f;
+  result.shade = shade_of(root.density + cell.other_density_per_m2, frame.shade_density_per_m2);
+  result.root_color = pack_color(root_albedo(species, blade.hue, blade.dryness) * features.color);
+  result.tip_color = pack_color(tip_albedo(species, blade.hue, blade.dryness) * features.color);
+  result.species_and_normal = packed_normal(cell.species, normal);
+  posed[index] = result;
+}

@@ -1,0 +1,10 @@
+// A planted cell as a frame draws it. std430.
+
+struct DrawnCell {
+  PlantedCell planted;
+  vec3 eye_from_tile_m;   // the tile's origin as seen from the eye, along the scene's axes
+  uint first_blade;       // where its blades begin in the batch's output
+  uint drawn;             // how many of its blades are drawn at most: a prefix
+  uint segments;          // along each blade
+  uvec2 reserved;         // fills the struct to a multiple of 16 bytes
+};

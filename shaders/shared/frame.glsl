@@ -1,0 +1,28 @@
+// What all passes of a frame know: camera, light, thinning. std140 and std430.
+
+struct FrameParams {
+  mat4 clip_from_eye;        // the eye's frame: origin at the eye, the scene's axes
+  vec3 towards_eye;          // in a parallel projection
+  float parallel;            // 1 in a parallel projection, else 0
+  vec3 sun_direction;        // towards the sun
+  float pixel_m;             // height of a pixel at 1 m (anywhere, in a parallel projection)
+  vec3 sun_radiance;         // Id* of B11 §2.3
+  float haze_per_m;          // b of RG "Fog"
+  vec3 top_ambient;          // Ia*
+  float exposure;
+  vec3 root_ambient;         // Ia**
+  float shade_density_per_m2;  // density at which self-shading has 63 % of its strength
+  vec3 zenith_radiance;
+  float sun_halo;            // exponent of the haze's glow around the sun
+  vec3 horizon_radiance;
+  float field_extent_x_m;
+  vec3 ground_from_eye_m;    // the ground mesh's anchor as seen from the eye
+  float field_extent_y_m;
+  vec3 soil_color;
+  float field_repeats;
+  vec3 flat_response;        // radiance of a sward of albedo 1 on level ground, seen from afar
+  float ground_texel_m;      // of the flat tier's texture
+  vec2 anchor_m;             // the anchor's place in the scene
+  vec2 jitter;               // sub-pixel shift of clip space
+  LodCoefficients lod;
+};
