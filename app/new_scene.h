@@ -1,5 +1,6 @@
-// `prairie new`: a scene folder to start from. Either with maps that it makes itself (rolling ground, a meadow of two
-// grasses with a path and a clearing), or around a person's own rasters, which are copied unchanged.
+// `prairie new`: a scene folder to start from. Either with maps that it makes itself (rolling ground, a
+// meadow of two grasses with a path and a clearing), or around a person's own rasters, which are copied
+// unchanged.
 #pragma once
 
 #include <array>
@@ -22,15 +23,16 @@ struct NewSceneRequest {
   bool force = false;  // write into a folder that holds something; only the scene's own files are replaced
   std::uint64_t seed = 1;
   std::optional<std::filesystem::path> height_file;
-  std::optional<std::array<double, 2>> height_range_m;  // of integer height files: heights of 0 and the largest value
-  std::optional<double> height_spacing_m;               // of height files without a geo-reference
-  std::optional<DensityRequest> density;                // without it, a height file gets a uniform sward
+  std::optional<std::array<double, 2>>
+      height_range_m;                      // of integer height files: heights of 0 and the largest value
+  std::optional<double> height_spacing_m;  // of height files without a geo-reference
+  std::optional<DensityRequest> density;   // without it, a height file gets a uniform sward
   std::uint64_t memory_budget_bytes = 2ull << 30;
 };
 
-/// Writes DIR/scene.toml and its maps; the same bytes for the same request. scene.toml comes last: a folder that has
-/// one is complete. Throws UsageError (folder not empty, values out of range), BadInput (a raster that cannot be
-/// used), OverBudget, OutputFailure.
+/// Writes DIR/scene.toml and its maps; the same bytes for the same request. scene.toml comes last: a folder
+/// that has one is complete. Throws UsageError (folder not empty, values out of range), BadInput (a raster
+/// that cannot be used), OverBudget, OutputFailure.
 void new_scene(const NewSceneRequest& request);
 
 }  // namespace prairie

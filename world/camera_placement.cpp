@@ -77,8 +77,9 @@ View best_view(const Meadow& meadow) {
 }  // namespace
 
 bool is_planted(const Meadow& meadow, glm::dvec2 position_m) {
-  const bool is_inside = meadow.repeats || (position_m.x >= 0.0 && position_m.y >= 0.0 &&
-                                            position_m.x <= meadow.extent_m.x && position_m.y <= meadow.extent_m.y);
+  const bool is_inside =
+      meadow.repeats || (position_m.x >= 0.0 && position_m.y >= 0.0 && position_m.x <= meadow.extent_m.x &&
+                         position_m.y <= meadow.extent_m.y);
   if (!is_inside || !meadow.ground.has_data(position_m, position_m)) return false;
   return std::any_of(meadow.species.begin(), meadow.species.end(), [&](const PlantedSpecies& planted) {
     return planted.density_per_m2.sample(position_m) > 0.0f;  // false for NaN
@@ -88,7 +89,8 @@ bool is_planted(const Meadow& meadow, glm::dvec2 position_m) {
 double pitch_to_ground_deg(const Meadow& meadow, glm::dvec2 position_m, double yaw_deg, double eye_height_m,
                            double distance_m) {
   const double here_m = static_cast<double>(meadow.ground.height_m(position_m)) + eye_height_m;
-  const double there_m = static_cast<double>(meadow.ground.height_m(position_m + distance_m * heading(yaw_deg)));
+  const double there_m =
+      static_cast<double>(meadow.ground.height_m(position_m + distance_m * heading(yaw_deg)));
   return std::atan2(there_m - here_m, distance_m) * kDegPerRad;
 }
 
@@ -101,7 +103,8 @@ CameraSpec placed_camera_spec(const Meadow& meadow, const std::string& name) {
   camera.z_m = kEyeHeightM;
   camera.z_above_ground = true;
   camera.yaw_deg = view.yaw_deg;
-  const double pitch_deg = pitch_to_ground_deg(meadow, view.position_m, view.yaw_deg, kEyeHeightM, kLookAheadM);
+  const double pitch_deg =
+      pitch_to_ground_deg(meadow, view.position_m, view.yaw_deg, kEyeHeightM, kLookAheadM);
   camera.pitch_deg = std::clamp(pitch_deg, -25.0, 15.0);
   return camera;
 }

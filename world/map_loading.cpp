@@ -22,8 +22,8 @@ std::uint64_t node_bytes(const NodeGrid& grid) {
 
 std::string where_it_lies(const GridFrame& frame) {
   const glm::dvec2 far_m = frame.far_corner_m();
-  return fmt::format("a map from ({:.1f}, {:.1f}) to ({:.1f}, {:.1f}) m", frame.origin_m.x, frame.origin_m.y, far_m.x,
-                     far_m.y);
+  return fmt::format("a map from ({:.1f}, {:.1f}) to ({:.1f}, {:.1f}) m", frame.origin_m.x, frame.origin_m.y,
+                     far_m.x, far_m.y);
 }
 
 }  // namespace
@@ -39,9 +39,7 @@ Map MapLoader::read(const MapSpec& spec, MapMeaning meaning) {
   --remaining_maps_;
   remaining_bytes_ -= std::min(remaining_bytes_, node_bytes(map.grid));
   findings_.content_hashes[spec.field] = map.content_hash;
-  for (const std::string& warning : map.warnings) {
-    findings_.warnings.push_back(fmt::format("{}: {}", spec.field, warning));
-  }
+  findings_.warnings.insert(findings_.warnings.end(), map.warnings.begin(), map.warnings.end());
   return map;
 }
 
@@ -79,13 +77,15 @@ void MapLoader::check_cover(glm::dvec2 extent_m) {
     const LoadedMap& map = findings_.maps[k];
     const double share = covered_share(map.frame, extent_m);
     if (share <= 0.0) {
-      throw BadInput(map.file.string(), map.field, where_it_lies(map.frame),
-                     fmt::format("a map that reaches the ground, (0, 0) to ({:.1f}, {:.1f}) m", extent_m.x, extent_m.y));
+      throw BadInput(
+          map.file.string(), map.field, where_it_lies(map.frame),
+          fmt::format("a map that reaches the ground, (0, 0) to ({:.1f}, {:.1f}) m", extent_m.x, extent_m.y));
     }
     constexpr double kNearlyAll = 0.999;
     if (share < kNearlyAll) {
-      findings_.warnings.push_back(
-          fmt::format("{}: covers only {:.1f} % of the ground", map.field, std::floor(1000.0 * share) / 10.0));
+      findings_.warnings.push_back(fmt::format("{}: {}: covers only {:.1f} % of the ground",
+                                               map.file.string(), map.field,
+                                               std::floor(1000.0 * share) / 10.0));
     }
   }
 }

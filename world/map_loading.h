@@ -1,4 +1,5 @@
-// Opens a scene's maps one after the other, each within its share of the memory budget, and puts each in its place.
+// Opens a scene's maps one after the other, each within its share of the memory budget, and puts each in its
+// place.
 #pragma once
 
 #include <cstdint>
@@ -38,12 +39,12 @@ class MapLoader {
 
   /// The map that the ground comes from: its south-west node is the scene's origin.
   NodeGrid load_ground(const MapSpec& spec);
-  /// Any other map, placed by its geo-reference if it and the scene have one. Without a ground map, the first map with a
-  /// geo-reference gives the scene its own.
+  /// Any other map, placed by its geo-reference if it and the scene have one. Without a ground map, the first
+  /// map with a geo-reference gives the scene its own.
   NodeGrid load(const MapSpec& spec, MapMeaning meaning);
 
-  /// Once all maps are open: a map that misses the box (0, 0)…extent_m raises BadInput, one that covers only part of it
-  /// a warning.
+  /// Once all maps are open: a map that misses the box (0, 0)…extent_m raises BadInput, one that covers only
+  /// part of it a warning.
   void check_cover(glm::dvec2 extent_m);
 
   MapFindings& findings() { return findings_; }

@@ -63,8 +63,9 @@ toml::table& element_of(toml::array& list, std::string_view list_key, std::strin
     if (is_meant && list[i].is_table()) return *list[i].as_table();
   }
   refuse(assignment, fmt::format("no {} '{}'", printable(list_key), printable(segment)),
-         list.empty() ? std::string("a key of the scene")
-                      : fmt::format("an index from 0 to {} or a name: {}", list.size() - 1, fmt::join(names, ", ")));
+         list.empty()
+             ? std::string("a key of the scene")
+             : fmt::format("an index from 0 to {} or a name: {}", list.size() - 1, fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ void apply_override(toml::table& table, std::string_view assignment) {
   for (;;) {
     const auto dot = rest.find('.');
     const std::string_view segment = rest.substr(0, dot);
-    if (segment.empty()) refuse(assignment, "an empty part of a key", "a key like lod.quality or species.0.height_m");
+    if (segment.empty())
+      refuse(assignment, "an empty part of a key", "a key like lod.quality or species.0.height_m");
     if (dot == std::string_view::npos) {
       insert_value(*current, segment, value);
       return;
@@ -95,7 +97,8 @@ void apply_override(toml::table& table, std::string_view assignment) {
     if (auto* list = next->as_array()) {
       const auto element_dot = rest.find('.');
       if (element_dot == std::string_view::npos) {
-        refuse(assignment, fmt::format("a whole {}", printable(segment)), "one of its keys, as in species.0.height_m");
+        refuse(assignment, fmt::format("a whole {}", printable(segment)),
+               "one of its keys, as in species.0.height_m");
       }
       current = &element_of(*list, segment, rest.substr(0, element_dot), assignment);
       rest.remove_prefix(element_dot + 1);

@@ -23,7 +23,8 @@ class NodesOfGrid : public NodeSource {
 
 glm::dvec2 origin_in_scene_m(const GeoReference& map, const GeoReference& reference) {
   const glm::dvec2 origin_m{map.west_m - reference.west_m, map.south_m - reference.south_m};
-  // Coordinates of some million metres leave rounding errors of a nanometre; grids that coincide shall do so exactly.
+  // Coordinates of some million metres leave rounding errors of a nanometre; grids that coincide shall do so
+  // exactly.
   const double close_m = 1e-6 * map.pixel_size_m;
   const auto snapped = [close_m](double value) { return std::abs(value) < close_m ? 0.0 : value; };
   return {snapped(origin_m.x), snapped(origin_m.y)};

@@ -19,7 +19,8 @@ std::string read_text(const std::filesystem::path& file) {
   if (!std::filesystem::exists(status)) {
     throw BadInput(file.string(), "", "no such file", "a scene folder (`prairie new` makes one)");
   }
-  if (!std::filesystem::is_regular_file(status)) throw BadInput(file.string(), "", "no regular file", "a scene file");
+  if (!std::filesystem::is_regular_file(status))
+    throw BadInput(file.string(), "", "no regular file", "a scene file");
   const auto size = std::filesystem::file_size(file, error);
   if (error || size > kLargestFileBytes) {
     throw BadInput(file.string(), "", error ? error.message() : fmt::format("{} bytes", size),
@@ -37,8 +38,8 @@ toml::table parsed_table(std::string_view text, const std::string& file) {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     const auto& at = error.source().begin;
-    throw BadInput(file, fmt::format("line {}, column {}", at.line, at.column), printable(error.description()),
-                   "TOML (toml.io)");
+    throw BadInput(file, fmt::format("line {}, column {}", at.line, at.column),
+                   printable(error.description()), "TOML (toml.io)");
   }
 }
 

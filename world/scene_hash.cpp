@@ -9,8 +9,8 @@
 namespace prairie {
 namespace {
 
-// The scene as text, a "name=value" line per setting. Numbers are the shortest decimals that read back as the same
-// bits, so the text is the same on every machine.
+// The scene as text, a "name=value" line per setting. Numbers are the shortest decimals that read back as the
+// same bits, so the text is the same on every machine.
 class CanonicalText {
  public:
   void add(std::string_view name, double value) { line(name, fmt::format("{}", value)); }
@@ -24,7 +24,9 @@ class CanonicalText {
   void add(std::string_view name, const glm::vec3& value) {
     line(name, fmt::format("{} {} {}", value.x, value.y, value.z));
   }
-  void add(std::string_view name, const glm::dvec2& value) { line(name, fmt::format("{} {}", value.x, value.y)); }
+  void add(std::string_view name, const glm::dvec2& value) {
+    line(name, fmt::format("{} {}", value.x, value.y));
+  }
   void add(std::string_view name, const std::array<double, 2>& value) {
     line(name, fmt::format("{} {}", value[0], value[1]));
   }
@@ -67,9 +69,9 @@ void add_species(CanonicalText& text, const SpeciesSpec& spec,
   text.add("dry_color", p.dry_color);
   text.add("transmission", p.transmission);
   for (const float value :
-       {p.dry_share, p.dry_spread, p.hue_spread, p.specular, p.height_m, p.height_spread, p.width_m, p.width_spread,
-        p.tilt_rad, p.lean_rad, p.curvature_rad, p.curvature_spread, p.mass_g, p.stiffness, p.stiffness_spread,
-        p.clump_m, p.clump_strength, p.clump_spray_rad}) {
+       {p.dry_share, p.dry_spread, p.hue_spread, p.specular, p.height_m, p.height_spread, p.width_m,
+        p.width_spread, p.tilt_rad, p.lean_rad, p.curvature_rad, p.curvature_spread, p.mass_g, p.stiffness,
+        p.stiffness_spread, p.clump_m, p.clump_strength, p.clump_spray_rad}) {
     text.add("parameter", value);
   }
 }

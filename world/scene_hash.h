@@ -1,5 +1,5 @@
-// One number for "the same scene": equal wherever the folder lies and whatever its map files are called, different as
-// soon as a setting or a byte of a map differs.
+// One number for "the same scene": equal wherever the folder lies and whatever its map files are called,
+// different as soon as a setting or a byte of a map differs.
 #pragma once
 
 #include <cstdint>

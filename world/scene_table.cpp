@@ -21,8 +21,8 @@ constexpr Bounds kPositionM{-1e6, 1e6};
 constexpr Bounds kAlbedo{0.0, 1.0};
 constexpr Bounds kLight{0.0, 100.0};
 
-// Names are written in overrides ("species.NAME.height_m") and camera arguments ("x,y,z,…"): no dots, no commas, and
-// not to be taken for a number.
+// Names are written in overrides ("species.NAME.height_m") and camera arguments ("x,y,z,…"): no dots, no
+// commas, and not to be taken for a number.
 bool is_name(const std::string& name) {
   constexpr std::size_t kLongestName = 64;
   if (name.empty() || name.size() > kLongestName) return false;
@@ -40,7 +40,8 @@ std::string read_name(TableReader& table, const std::vector<std::string>& taken)
   const auto name = table.text("name");
   if (!name) table.refuse_missing("name", kExpected);
   if (!is_name(*name)) table.refuse("name", kExpected);
-  if (std::find(taken.begin(), taken.end(), *name) != taken.end()) table.refuse("name", "a name not yet given");
+  if (std::find(taken.begin(), taken.end(), *name) != taken.end())
+    table.refuse("name", "a name not yet given");
   return *name;
 }
 
@@ -50,7 +51,8 @@ MapSpec read_map_keys(TableReader& table, const std::filesystem::path& folder, b
   spec.field = table.path_of("file");
   const auto file = table.text("file");
   if (!file) table.refuse_missing("file", "the path of an image or raster");
-  if (file->empty() || file->find('\0') != std::string::npos) table.refuse("file", "the path of an image or raster");
+  if (file->empty() || file->find('\0') != std::string::npos)
+    table.refuse("file", "the path of an image or raster");
   spec.file = folder / *file;
   spec.spacing_m = table.number("spacing_m", kSpacingM);
   spec.nodata = table.number("nodata", kMapValue);
@@ -60,7 +62,8 @@ MapSpec read_map_keys(TableReader& table, const std::filesystem::path& folder, b
 
 void read_channel_and_range(TableReader& table, MapSpec& spec) {
   spec.channel = table.text("channel");
-  if (spec.channel && spec.channel->empty()) table.refuse("channel", "\"R\", \"G\", \"B\", \"A\" or a channel's name");
+  if (spec.channel && spec.channel->empty())
+    table.refuse("channel", "\"R\", \"G\", \"B\", \"A\" or a channel's name");
   spec.range = table.pair("range", kMapValue);
   if (spec.range && (*spec.range)[0] == (*spec.range)[1]) {
     table.refuse("range", fmt::format("[{0}, {0}]", (*spec.range)[0]), "two different numbers");
@@ -74,7 +77,8 @@ MapSpec read_height(TableReader& table, const std::filesystem::path& folder) {
   return spec;
 }
 
-MapSpec read_density(TableReader& table, const std::filesystem::path& folder, bool repeats, double default_max_per_m2) {
+MapSpec read_density(TableReader& table, const std::filesystem::path& folder, bool repeats,
+                     double default_max_per_m2) {
   MapSpec spec = read_map_keys(table, folder, repeats);
   read_channel_and_range(table, spec);
   spec.curve = table.number("curve", {0.01, 100.0}).value_or(1.0);
@@ -214,7 +218,8 @@ void read_all_species(TableReader& root, const std::filesystem::path& folder, Sc
   std::vector<std::string> names;
   for (TableReader& table : root.tables("species")) {
     if (scene.species.size() == kMaxSpecies) {
-      root.refuse("species", fmt::format("more than {} species", kMaxSpecies), fmt::format("1 to {}", kMaxSpecies));
+      root.refuse("species", fmt::format("more than {} species", kMaxSpecies),
+                  fmt::format("1 to {}", kMaxSpecies));
     }
     scene.species.push_back(read_species(table, folder, repeats, names));
     names.push_back(scene.species.back().species.name);
@@ -237,7 +242,8 @@ bool has_an_extent(const Scene& scene) {
 
 }  // namespace
 
-Scene scene_from_table(const toml::table& table, const TomlOrigin& origin, const std::filesystem::path& folder) {
+Scene scene_from_table(const toml::table& table, const TomlOrigin& origin,
+                       const std::filesystem::path& folder) {
   Scene scene;
   scene.folder = folder;
   TableReader root(origin, "", table);

@@ -14,8 +14,8 @@ constexpr Bounds kSpread{0.0, 0.95};
 struct NumberKey {
   const char* key;
   float SpeciesParams::*member;
-  Bounds bounds;            // in the key's own unit
-  double unit = 1.0;        // of the key, in the member's
+  Bounds bounds;      // in the key's own unit
+  double unit = 1.0;  // of the key, in the member's
 };
 
 constexpr NumberKey kNumberKeys[] = {

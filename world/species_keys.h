@@ -1,5 +1,5 @@
-// A species' parameters as the scene file names them: keys with units people think in (mm, degrees), their ranges, and
-// the values of a plain meadow fescue where a key is absent.
+// A species' parameters as the scene file names them: keys with units people think in (mm, degrees), their
+// ranges, and the values of a plain meadow fescue where a key is absent.
 #pragma once
 
 #include "shaders/shared/layouts.h"

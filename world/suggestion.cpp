@@ -54,9 +54,8 @@ std::optional<std::string> suggestion(std::string_view word, std::span<const std
   std::size_t nearest_distance = farthest + 1;
   for (const std::string& candidate : known) {
     const std::string lower_candidate = lower_case(candidate);
-    const std::size_t distance = lacks_only_the_unit(lower, lower_candidate)
-                                     ? 1
-                                     : alignment_distance(lower, lower_candidate);
+    const std::size_t distance =
+        lacks_only_the_unit(lower, lower_candidate) ? 1 : alignment_distance(lower, lower_candidate);
     if (distance < nearest_distance) {
       nearest = candidate;
       nearest_distance = distance;

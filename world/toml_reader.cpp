@@ -26,12 +26,16 @@ std::string described(const toml::node& node) {
   return "a date or time";
 }
 
-std::string expected_number(Bounds bounds) { return fmt::format("a number from {} to {}", bounds.min, bounds.max); }
+std::string expected_number(Bounds bounds) {
+  return fmt::format("a number from {} to {}", bounds.min, bounds.max);
+}
 
 }  // namespace
 
 std::string printable(std::string_view text) {
-  const auto continues_letter = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80; };
+  const auto continues_letter = [&](std::size_t i) {
+    return (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80;
+  };
   std::size_t length = std::min(text.size(), kLongestQuote);
   while (length > 0 && length < text.size() && continues_letter(length)) --length;
   std::string line(text.substr(0, length));

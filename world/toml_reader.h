@@ -1,6 +1,9 @@
-// A checked view of a TOML table: every value has the right type and lies in range, every key is one that was asked for,
-// or BadInput names the file, the dotted key, the line, what was found and what was expected, in one line of text.
+// A checked view of a TOML table: every value has the right type and lies in range, every key is one that was
+// asked for, or BadInput names the file, the dotted key, the line, what was found and what was expected, in
+// one line of text.
 #pragma once
+
+#include <toml++/toml.h>
 
 #include <array>
 #include <cstdint>
@@ -10,8 +13,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <toml++/toml.h>
 
 namespace prairie {
 

@@ -14,15 +14,15 @@
 namespace prairie {
 
 struct WorldOptions {
-  std::optional<std::uint64_t> seed;              // overrides the scene's
+  std::optional<std::uint64_t> seed;               // overrides the scene's
   std::uint64_t memory_budget_bytes = 2ull << 30;  // for maps
 };
 
 class World {
  public:
-  /// Opens the scene's maps. Maps with a geo-reference lie relative to the height map's (without a height map, to the
-  /// first geo-referenced map); others have their south-west node at (0, 0). A scene without a camera gets one named
-  /// "default". Throws BadInput, OverBudget.
+  /// Opens the scene's maps. Maps with a geo-reference lie relative to the height map's (without a height
+  /// map, to the first geo-referenced map); others have their south-west node at (0, 0). A scene without a
+  /// camera gets one named "default". Throws BadInput, OverBudget.
   World(Scene scene, const WorldOptions& options);
 
   const Scene& scene() const { return scene_; }
