@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <iterator>
-#include <vector>
 
 namespace prairie {
 namespace {
@@ -50,13 +49,6 @@ BladeIdentity identity_of(const Blade& blade, const Meadow& meadow) {
   return {blade.identity >> kSpeciesShift, north * kCellsPerSide + east, blade.identity & kIndexMask};
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
-}
-
 template <typename Value>
 void append_bytes(std::string& bytes, Value value) {
   const auto raw = std::bit_cast<std::array<char, sizeof(Value)>>(value);
@@ -64,16 +56,14 @@ void append_bytes(std::string& bytes, Value value) {
 }
 
 std::string csv_rows(const Meadow& meadow, TileId tile, std::span<const Blade> blades) {
-  std::vector<std::string> names;
-  for (const PlantedSpecies& planted : meadow.species) names.push_back(quoted(planted.species.name));
   const glm::dvec2 origin_m = tile_origin_m(meadow, tile);
   fmt::memory_buffer text;
   for (const Blade& blade : blades) {
     const BladeIdentity identity = identity_of(blade, meadow);
     const glm::dvec2 root_m = origin_m + glm::dvec2(blade.root_m);
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{:.6f},{:.6f},{:.6f}", tile.i, tile.j,
-                   names[identity.species], identity.cell, identity.index, root_m.x, root_m.y,
-                   blade.ground_m);
+                   meadow.species[identity.species].species.name, identity.cell, identity.index, root_m.x,
+                   root_m.y, blade.ground_m);
     for (const FloatColumn& column : kAttributes) {
       fmt::format_to(std::back_inserter(text), ",{}", column.value(blade));
     }

@@ -77,6 +77,16 @@ UsageError unknown_word(const CLI::App& app, const std::string& word) {
   return {"", word + did_you_mean(word, names), fmt::format("one of {}", fmt::join(names, ", "))};
 }
 
+/// What CLI11 finds wrong with known options, in the words of the other errors.
+UsageError misused(const std::string& command, const CLI::ParseError& error) {
+  const std::string complaint = error.what();
+  const std::string_view required = " is required";
+  if (complaint.ends_with(required)) {
+    return {command, "no " + complaint.substr(0, complaint.size() - required.size()), "one"};
+  }
+  return {command, complaint, "what --help shows"};
+}
+
 }  // namespace
 
 CommandLine::CommandLine()
@@ -96,6 +106,10 @@ CommandLine::CommandLine()
                                  add_plant_command, add_view_command, add_bench_command}) {
     add_command(*app_, globals, chosen);
   }
+  for (CLI::App* command : app_->get_subcommands({})) {
+    command->footer(command->get_footer() +
+                    "\nOptions of every command (--seed, --set, --quiet, …): prairie --help");
+  }
 }
 
 void CommandLine::read(int argc, const char* const* argv) {
@@ -108,7 +122,7 @@ void CommandLine::read(int argc, const char* const* argv) {
     const std::vector<std::string> unknown = app_->remaining(true);
     if (!unknown.empty()) throw unknown_word(*app_, unknown.front());
     const std::vector<CLI::App*> parsed = app_->get_subcommands();
-    throw UsageError(parsed.empty() ? "" : parsed.front()->get_name(), error.what(), "what --help shows");
+    throw misused(parsed.empty() ? "" : parsed.front()->get_name(), error);
   }
   if (list_devices_) chosen = print_devices;
   if (!chosen) {
