@@ -1,5 +1,5 @@
-// OpenGL 4.5 core without a window: an EGL context on a named device, else the first hardware device that makes one, else
-// Mesa's surfaceless platform, else a software device.
+// OpenGL 4.5 core without a window: an EGL context on a named device, else the first hardware device that
+// makes one, else Mesa's surfaceless platform, else a software device.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,8 @@ namespace prairie {
 
 class HeadlessContext {
  public:
-  /// `device`: an index or a name (or part of one) from `list_devices`. Throws NoSuitableOpenGl listing every attempt.
+  /// `device`: an index or a name (or part of one) from `list_devices`. Throws NoSuitableOpenGl listing every
+  /// attempt.
   explicit HeadlessContext(const std::optional<std::string>& device);
   ~HeadlessContext();
   HeadlessContext(HeadlessContext&&) noexcept;

@@ -1,6 +1,6 @@
-// Draws a world: takes a camera, has lod/ plan the frame, plants and poses the plan's blades in one compute dispatch per
-// batch, draws ground, blades and sky into a linear HDR target, and hands out pictures. Needs a current OpenGL 4.5 core
-// context, from a window or a HeadlessContext, that outlives it.
+// Draws a world: takes a camera, has lod/ plan the frame, plants and poses the plan's blades in one compute
+// dispatch per batch, draws ground, blades and sky into a linear HDR target, and hands out pictures. Needs a
+// current OpenGL 4.5 core context, from a window or a HeadlessContext, that outlives it.
 #pragma once
 
 #include <cstdint>
@@ -36,13 +36,15 @@ struct Picture {
 
 class Renderer {
  public:
-  /// `shader_folder`: where shaders/ was installed (see app/installed_files.h). Throws NoSuitableOpenGl, BadInput.
+  /// `shader_folder`: where shaders/ was installed (see app/installed_files.h). Throws NoSuitableOpenGl,
+  /// BadInput.
   Renderer(const World& world, const std::filesystem::path& shader_folder);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws one frame into the framebuffer `target` (0: the window), tone-mapped. The camera's size is the target's.
+  /// Draws one frame into the framebuffer `target` (0: the window), tone-mapped. The camera's size is the
+  /// target's.
   FrameStatistics draw(const Camera& camera, const FrameOptions& options, unsigned target);
 
   /// Draws `samples` jittered frames, averages them in linear light and reads the picture back.

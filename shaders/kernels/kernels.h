@@ -17,6 +17,7 @@ using glm::floor;
 using glm::ivec2;
 using glm::max;
 using glm::min;
+using glm::pow;
 using glm::sqrt;
 using glm::uvec2;
 using glm::uvec3;

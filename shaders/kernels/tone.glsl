@@ -5,3 +5,6 @@ float tone_curve(float x) {
   precise float result = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
   return saturate(result);
 }
+
+// The sRGB transfer function. It ends in 8 bits, so the built-in pow serves.
+float srgb_from_linear(float x) { return x <= 0.0031308f ? 12.92f * x : 1.055f * pow(x, 0.41666667f) - 0.055f; }

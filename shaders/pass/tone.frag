@@ -8,8 +8,6 @@ layout(binding = 0) uniform sampler2D linear_picture;
 layout(location = 0) uniform float exposure;
 layout(location = 0) out vec4 color;
 
-float srgb_from_linear(float x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055; }
-
 void main() {
   vec3 linear = exposure * texelFetch(linear_picture, ivec2(gl_FragCoord.xy), 0).rgb;
   color = vec4(srgb_from_linear(tone_curve(linear.r)), srgb_from_linear(tone_curve(linear.g)), srgb_from_linear(tone_curve(linear.b)), 1.0);

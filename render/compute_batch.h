@@ -1,0 +1,43 @@
+// Feeds cells to the planting shaders (shaders/pass/planting.glsl): a batch of cells is as large as one
+// storage buffer of output allows; one invocation plants one blade.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "render/gl_objects.h"
+#include "shaders/shared/layouts.h"
+
+namespace prairie {
+
+inline constexpr std::size_t kStorageLimitBytes = std::size_t{128}
+                                                  << 20;  // Mesa's software renderer; the least to expect
+
+/// Cells [first, first + count) of a list, whose blades fit into one buffer.
+struct CellRun {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::uint32_t blades = 0;
+};
+
+/// Cuts cells into runs of at most `max_blades` blades each.
+std::vector<CellRun> runs_of(std::span<const DrawnCell> cells, std::size_t max_blades);
+
+class ComputeBatch {
+ public:
+  /// Uploads what all runs share.
+  void set_tables(std::span<const float> tables, std::span<const SpeciesParams> species);
+  /// Numbers the run's blades (`first_blade`), uploads its cells and runs `program` over them; blade n of the
+  /// run goes to element n of `output`, which has room for `element_bytes` each.
+  void dispatch(GLuint program, std::span<DrawnCell> run, std::size_t element_bytes, GlBuffer& output);
+
+ private:
+  GlBuffer cells_;
+  GlBuffer tables_;
+  GlBuffer species_;
+  GlBuffer group_cells_;
+  std::vector<std::uint32_t> first_cell_of_group_;
+};
+
+}  // namespace prairie

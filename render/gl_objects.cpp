@@ -1,0 +1,58 @@
+#include "render/gl_objects.h"
+
+#include <algorithm>
+
+namespace prairie {
+
+void destroy_buffer(GLuint name) {
+  glDeleteBuffers(1, &name);
+}
+void destroy_texture(GLuint name) {
+  glDeleteTextures(1, &name);
+}
+void destroy_framebuffer(GLuint name) {
+  glDeleteFramebuffers(1, &name);
+}
+void destroy_vertex_array(GLuint name) {
+  glDeleteVertexArrays(1, &name);
+}
+void destroy_program(GLuint name) {
+  glDeleteProgram(name);
+}
+
+GlBuffer::GlBuffer() {
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  name_ = GlName<destroy_buffer>(name);
+}
+
+void GlBuffer::reserve(std::size_t bytes) {
+  if (bytes <= size_bytes_) return;
+  size_bytes_ = std::max(bytes, size_bytes_ + size_bytes_ / 2);
+  glNamedBufferData(get(), static_cast<GLsizeiptr>(size_bytes_), nullptr, GL_STREAM_DRAW);
+}
+
+void GlBuffer::upload(const void* data, std::size_t bytes) {
+  reserve(std::max<std::size_t>(bytes, 16));  // a storage binding must not be empty
+  glNamedBufferSubData(get(), 0, static_cast<GLsizeiptr>(bytes), data);
+}
+
+GlVertexArray make_vertex_array() {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  return GlVertexArray(name);
+}
+
+GlFramebuffer make_framebuffer() {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  return GlFramebuffer(name);
+}
+
+GlTexture make_texture(GLenum target) {
+  GLuint name = 0;
+  glCreateTextures(target, 1, &name);
+  return GlTexture(name);
+}
+
+}  // namespace prairie

@@ -1,0 +1,38 @@
+#include "render/gpu_planting.h"
+
+#include <cassert>
+
+#include "render/shader_program.h"
+
+namespace prairie {
+
+GpuPlanting::GpuPlanting(const std::filesystem::path& shader_folder)
+    : program_(make_program(shader_folder, {"pass/plant.comp"})) {}
+
+void GpuPlanting::prepare(const CellTables& tables, std::span<const SpeciesParams> species) {
+  cells_.clear();
+  blade_count_ = 0;
+  for (const PlantedCell& planted : tables.cells) {
+    DrawnCell cell{};
+    cell.planted = planted;
+    cell.drawn = planted.planted;
+    cells_.push_back(cell);
+    blade_count_ += planted.planted;
+  }
+  assert(blade_count_ * sizeof(Blade) <= kStorageLimitBytes);
+  batch_.set_tables(tables.tables, species);
+}
+
+void GpuPlanting::plant() {
+  batch_.dispatch(program_.get(), cells_, sizeof(Blade), blades_);
+  glFinish();
+}
+
+std::vector<Blade> GpuPlanting::read_back() const {
+  std::vector<Blade> blades(blade_count_);
+  glGetNamedBufferSubData(blades_.get(), 0, static_cast<GLsizeiptr>(blades.size() * sizeof(Blade)),
+                          blades.data());
+  return blades;
+}
+
+}  // namespace prairie

@@ -1,0 +1,174 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/mat3x3.hpp>
+#include <optional>
+
+#include "lod/planner.h"
+#include "render/blade_pass.h"
+#include "render/ground_pass.h"
+#include "render/light.h"
+#include "render/render_target.h"
+#include "render/shader_program.h"
+#include "shaders/kernels/kernels.h"
+
+namespace prairie {
+namespace {
+
+// Radical inverses: the sub-pixel shifts of supersampling, evenly spread for any number of samples.
+double radical_inverse(int index, int base) {
+  double result = 0.0;
+  for (double digit = 1.0 / base; index > 0; index /= base, digit /= base) result += digit * (index % base);
+  return result;
+}
+
+glm::vec2 jitter_of(int sample, int samples, glm::ivec2 size_px) {
+  if (samples == 1) return glm::vec2(0.0f);
+  const glm::dvec2 shift((sample + 0.5) / samples - 0.5, radical_inverse(sample, 2) + 0.5 / samples - 0.5);
+  return glm::vec2(2.0 * shift / glm::dvec2(size_px));
+}
+
+}  // namespace
+
+struct Renderer::Passes {
+  Passes(const World& the_world, const std::filesystem::path& shader_folder)
+      : world(&the_world),
+        planner(the_world.meadow()),
+        ground(the_world, shader_folder),
+        blades(the_world, shader_folder),
+        sky_program(make_program(shader_folder, {"pass/screen.vert", "pass/sky.frag"})),
+        tone_program(make_program(shader_folder, {"pass/screen.vert", "pass/tone.frag"})),
+        no_vertices(make_vertex_array()) {}
+
+  FramePlan plan(const Camera& camera, const FrameOptions& options, FrameStatistics& statistics) {
+    const auto start = std::chrono::steady_clock::now();
+    const LodSpec& lod = world->scene().lod;
+    FramePlan plan = planner.plan(camera, {options.tier, lod.quality, lod.blade_distance_m});
+    statistics.plan_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    statistics.blades_planted_in_view = plan.blades_planted_in_view;
+    statistics.blades_drawn = plan.blades_drawn;
+    return plan;
+  }
+
+  const RenderTarget& target_of(const Camera& camera, bool msaa) {
+    if (!target || target->size_px() != camera.size_px || target->msaa() != msaa)
+      target.emplace(camera.size_px, msaa);
+    return *target;
+  }
+
+  void draw(FramePlan& plan, glm::vec2 jitter, FrameStatistics& statistics) {
+    const glm::dvec3 anchor_m = ground.anchor_m(plan.camera.eye_m);
+    FrameParams frame = frame_params(*world, plan, anchor_m);
+    frame.ground_texel_m = static_cast<float>(ground.texel_m());
+    frame.jitter = jitter;
+    exposure = frame.exposure;
+    frame_block.upload(&frame, sizeof(frame));
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block.get());
+
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    // Blades first: they hide most of the ground, whose fragments cost more.
+    blades.draw(plan);
+    ground.draw(plan, anchor_m);
+    glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_FALSE);
+    const glm::mat3 scene_from_view = view_directions(plan.camera);
+    glUseProgram(sky_program.get());
+    glProgramUniformMatrix3fv(sky_program.get(), 0, 1, GL_FALSE, &scene_from_view[0][0]);
+    glBindVertexArray(no_vertices.get());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthMask(GL_TRUE);
+    statistics.triangles = blades.triangles_drawn() + ground.triangles_drawn();
+  }
+
+  static glm::mat3 view_directions(const Camera& camera) {
+    const double half = std::tan(0.5 * camera.fov_rad);
+    const double aspect = static_cast<double>(camera.size_px.x) / camera.size_px.y;
+    return {glm::vec3(camera.right() * half * aspect), glm::vec3(camera.up() * half),
+            glm::vec3(camera.forward())};
+  }
+
+  void tone_map(GLuint linear_texture, GLuint framebuffer, glm::ivec2 size_px) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size_px.x, size_px.y);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(tone_program.get());
+    glProgramUniform1f(tone_program.get(), 0, exposure);
+    glBindTextureUnit(0, linear_texture);
+    glBindVertexArray(no_vertices.get());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+  const World* world;
+  Planner planner;
+  GroundPass ground;
+  BladePass blades;
+  GlProgram sky_program;
+  GlProgram tone_program;
+  GlVertexArray no_vertices;
+  GlBuffer frame_block;
+  std::optional<RenderTarget> target;
+  float exposure = 1.0f;
+};
+
+Renderer::Renderer(const World& world, const std::filesystem::path& shader_folder)
+    : passes_(std::make_unique<Passes>(world, shader_folder)) {}
+
+Renderer::~Renderer() = default;
+
+FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options, unsigned target) {
+  FrameStatistics statistics;
+  FramePlan plan = passes_->plan(camera, options, statistics);
+  const RenderTarget& frame = passes_->target_of(camera, options.msaa);
+  frame.begin();
+  passes_->draw(plan, glm::vec2(0.0f), statistics);
+  passes_->tone_map(frame.resolved(), target, camera.size_px);
+  return statistics;
+}
+
+Picture Renderer::render(const Camera& camera, const FrameOptions& options, int samples) {
+  assert(samples >= 1);
+  Picture picture;
+  picture.width = camera.size_px.x;
+  picture.height = camera.size_px.y;
+  FramePlan plan = passes_->plan(camera, options, picture.statistics);
+  const RenderTarget& frame = passes_->target_of(camera, options.msaa);
+  const std::size_t values = std::size_t{3} * picture.width * picture.height;
+  const std::size_t row_values = std::size_t{3} * picture.width;
+  std::vector<double> sum(values, 0.0);
+  std::vector<float> pixels(values);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  for (int sample = 0; sample < samples; ++sample) {
+    frame.begin();
+    passes_->draw(plan, jitter_of(sample, samples, camera.size_px), picture.statistics);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.resolved_framebuffer());
+    glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_FLOAT, pixels.data());
+    for (std::size_t n = 0; n < values; ++n) sum[n] += static_cast<double>(pixels[n]);
+  }
+  picture.linear_rgb.resize(values);
+  picture.srgb.resize(values);
+  Kernels kernels;
+  for (int y = 0; y < picture.height; ++y) {
+    // OpenGL's rows come from the bottom.
+    const std::size_t from = (static_cast<std::size_t>(picture.height) - 1 - y) * row_values;
+    for (std::size_t x = 0; x < row_values; ++x) {
+      const auto value = static_cast<float>(sum[from + x] / samples);
+      const float encoded = kernels.srgb_from_linear(kernels.tone_curve(passes_->exposure * value));
+      picture.linear_rgb[y * row_values + x] = value;
+      picture.srgb[y * row_values + x] =
+          static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(encoded, 0.0f, 1.0f)));
+    }
+  }
+  return picture;
+}
+
+}  // namespace prairie
