@@ -78,6 +78,15 @@ nlohmann::ordered_json json_of(const LoadedMap& map) {
           {"memory_bytes", map.memory_bytes}};
 }
 
+// GeoTIFF keys come in fours after a header of four; 3072 names the projected coordinate system.
+bool names_coordinate_system(const GeoReference& reference) {
+  constexpr std::uint16_t kProjectedCoordinateSystem = 3072;
+  for (std::size_t k = 4; k + 3 < reference.geo_keys.size(); k += 4) {
+    if (reference.geo_keys[k] == kProjectedCoordinateSystem) return true;
+  }
+  return false;
+}
+
 std::string readable_bytes(std::uint64_t bytes) {
   constexpr double kMebibyte = 1024.0 * 1024.0;
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / kMebibyte);
@@ -125,7 +134,7 @@ void print_text(const SceneReport& report, std::ostream& out) {
   if (report.geo_reference) {
     fmt::print(out, "origin    {:.2f} east, {:.2f} north{}\n", report.geo_reference->west_m,
                report.geo_reference->south_m,
-               report.geo_reference->geo_keys.empty() ? ", system unknown" : "");
+               names_coordinate_system(*report.geo_reference) ? "" : ", coordinate system unknown");
   }
   for (const SpeciesReport& species : report.species) {
     fmt::print(out, "species   {}: {:.0f} blades expected, {:.1f} per m²\n", species.name,
@@ -169,7 +178,7 @@ void print_json(const SceneReport& report, std::ostream& out) {
     json["geo_reference"] = {{"west_m", report.geo_reference->west_m},
                              {"south_m", report.geo_reference->south_m},
                              {"pixel_size_m", report.geo_reference->pixel_size_m},
-                             {"has_coordinate_system", !report.geo_reference->geo_keys.empty()}};
+                             {"has_coordinate_system", names_coordinate_system(*report.geo_reference)}};
   }
   json["warnings"] = report.warnings;
   // Paths may hold bytes that are no UTF-8; they are replaced, not refused.

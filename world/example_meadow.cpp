@@ -19,47 +19,57 @@ constexpr double kOatgrassMaxPerM2 = 400.0;
 constexpr double kHeightFactorMax = 1.6;
 
 constexpr double kPathHalfWidthM = 0.75;
+constexpr double kPathPhase = 0.75;  // before the viewer it swings to the right, then back across the view
 constexpr double kPathStepM = 0.25;
 constexpr double kClearingRadiusM = 7.0;
 constexpr double kClearingFromPathM = 17.0;
 constexpr double kClearingNorthM = 104.0;
-constexpr double kViewerNorthM = 34.0;
-constexpr double kViewerFromPathM = 5.0;
+constexpr double kHollowNorthM = 76.0;
+constexpr double kViewerNorthM = 30.0;
+constexpr double kViewerFromPathM = 3.0;
+constexpr double kKnollM = 1.6;
+constexpr double kKnollWidthM = 24.0;
 
 // Each feature has its own stretch of seeds.
-enum Feature : std::uint64_t {
-  kHills = 10,
-  kBend = 20,
-  kTwist = 30,
-  kVigour = 40,
-  kDrift = 50,
-  kFringe = 60
-};
+enum Feature : std::uint64_t { kHills = 10, kBend = 20, kWarp = 30, kVigour = 40, kDrift = 50, kFringe = 60 };
 
 double smoothed(double low, double high, double value) {
   const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
+// Parabolic arches, to and fro with period 1: a sine in plain arithmetic.
+double arch_wave(double t) {
+  const double turn = t - std::floor(t);
+  return turn < 0.5 ? 16.0 * turn * (0.5 - turn) : -16.0 * (turn - 0.5) * (1.0 - turn);
+}
+
 class Plan {
  public:
-  explicit Plan(std::uint64_t seed) : seed_(seed * 0x9e3779b97f4a7c15ull) {
+  explicit Plan(std::uint64_t seed)
+      : seed_(seed * 0x9e3779b97f4a7c15ull),
+        phase_(kPathPhase + 0.04 * lattice_noise(seed_ + kBend, {-7.0, -7.0})) {
     for (double y = -kPathMarginM; y <= kSideM + kPathMarginM; y += kPathStepM)
       path_.push_back({path_east_m(y), y});
+    viewer_m_ = {path_east_m(kViewerNorthM) + kViewerFromPathM, kViewerNorthM};
     clearing_m_ = {path_east_m(kClearingNorthM) - kClearingFromPathM, kClearingNorthM};
   }
 
-  // A hollow along the middle, so that the far slopes turn towards the viewer, and gentle hills on top.
+  // A hollow before the viewer, so that the far slope turns towards the eye, a knoll to look down from, and
+  // gentle hills on top.
   double ground_m(glm::dvec2 p) const {
-    const glm::dvec2 from_middle = 2.0 / kSideM * p - 1.0;
-    const double hollow_m = 3.2 * (from_middle.x * from_middle.x + 0.8 * from_middle.y * from_middle.y);
-    return hollow_m + 2.6 * layered_noise(seed_ + kHills, p / 62.0 + 0.37);
+    const glm::dvec2 from_hollow = (p - glm::dvec2(0.5 * kSideM, kHollowNorthM)) / (0.5 * kSideM);
+    const double hollow_m = 1.8 * from_hollow.x * from_hollow.x + 4.6 * from_hollow.y * from_hollow.y;
+    const glm::dvec2 from_viewer = (p - viewer_m_) / kKnollWidthM;
+    const double fall = 1.0 + from_viewer.x * from_viewer.x + from_viewer.y * from_viewer.y;
+    return hollow_m + kKnollM / (fall * fall) + 2.0 * layered_noise(seed_ + kHills, p / 58.0 + 0.37);
   }
 
+  glm::dvec2 viewer_m() const { return viewer_m_; }
+
   double path_east_m(double north_m) const {
-    const double bend = lattice_noise(seed_ + kBend, {north_m / 46.0, 0.5});
-    const double twist = lattice_noise(seed_ + kTwist, {north_m / 17.0, 0.5});
-    return 0.5 * kSideM + 15.0 * bend + 2.5 * twist;
+    const double wander = lattice_noise(seed_ + kBend, {north_m / 38.0, 0.5});
+    return 0.5 * kSideM + 11.0 * arch_wave(north_m / 84.0 + phase_) + 5.0 * wander;
   }
 
   double path_distance_m(glm::dvec2 p) const {
@@ -90,7 +100,8 @@ class Plan {
   double unmown(glm::dvec2 p) const { return smoothed(-0.6, 2.2, clearing_distance_m(p)); }
 
   double drift(glm::dvec2 p) const {
-    return smoothed(0.02, 0.42, layered_noise(seed_ + kDrift, p / 27.0 + 11.2));
+    const glm::dvec2 warp{lattice_noise(seed_ + kWarp, p / 14.0), lattice_noise(seed_ + kWarp + 1, p / 14.0)};
+    return smoothed(-0.10, 0.42, layered_noise(seed_ + kDrift, (p + 5.0 * warp) / 29.0 + 11.2));
   }
 
   double fescue_per_m2(glm::dvec2 p) const {
@@ -116,7 +127,9 @@ class Plan {
   static constexpr double kPathMarginM = 8.0;
 
   std::uint64_t seed_;
+  double phase_;
   std::vector<glm::dvec2> path_;
+  glm::dvec2 viewer_m_{0.0};
   glm::dvec2 clearing_m_{0.0};
 };
 
@@ -177,7 +190,7 @@ class Viewer {
     for (double aside_m = 0.0; aside_m < 20.0; aside_m += 0.5) {
       for (const double sign : {1.0, -1.0}) {
         const glm::dvec2 p = wanted_m + glm::dvec2(sign * aside_m, 0.0);
-        if (plan_.unmown(p) > 0.99 && plan_.path_distance_m(p) > 2.5) return p;
+        if (plan_.unmown(p) > 0.99 && plan_.path_distance_m(p) > 2.2) return p;
       }
     }
     return wanted_m;
@@ -205,14 +218,13 @@ class Viewer {
 std::vector<CameraSpec> make_cameras(const Plan& plan, const NodeGrid& ground_m) {
   const Viewer viewer(plan, ground_m);
   const auto on_path = [&](double north_m) { return glm::dvec2(plan.path_east_m(north_m), north_m); };
-  const glm::dvec2 viewer_m =
-      viewer.standing_place(on_path(kViewerNorthM) + glm::dvec2(kViewerFromPathM, 0.0));
+  const glm::dvec2 viewer_m = viewer.standing_place(plan.viewer_m());
   const glm::dvec2 kneeling_m = viewer.standing_place(viewer_m + glm::dvec2(9.0, 14.0));
   const glm::dvec2 rise_m = viewer.highest_place_in_the_south();
   const glm::dvec2 middle_m{0.5 * kSideM, 0.5 * kSideM};
 
   std::vector<CameraSpec> cameras;
-  cameras.push_back(viewer.camera("default", viewer_m, on_path(kViewerNorthM + 20.0), kEyeHeightM));
+  cameras.push_back(viewer.camera("default", viewer_m, on_path(kViewerNorthM + 26.0), kEyeHeightM));
   cameras.push_back(viewer.camera("close", kneeling_m, kneeling_m + glm::dvec2(-1.0, 2.4), 0.45));
   cameras.push_back(viewer.camera("wide", rise_m, on_path(0.4 * kSideM), 6.0));
   CameraSpec top;

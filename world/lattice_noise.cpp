@@ -40,8 +40,12 @@ double lattice_noise(std::uint64_t seed, glm::dvec2 position) {
 }
 
 double layered_noise(std::uint64_t seed, glm::dvec2 position) {
-  const double sum = lattice_noise(seed, position) + 0.5 * lattice_noise(seed + 1, 2.0 * position) +
-                     0.25 * lattice_noise(seed + 2, 4.0 * position);
+  // Each octave turned by atan(3/4), so that the lattices' directions do not show.
+  const auto turned = [](glm::dvec2 p) { return glm::dvec2(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y); };
+  const glm::dvec2 second = turned(2.0 * position);
+  const glm::dvec2 third = turned(2.0 * second);
+  const double sum = lattice_noise(seed, position) + 0.5 * lattice_noise(seed + 1, second) +
+                     0.25 * lattice_noise(seed + 2, third);
   return sum / 1.75;
 }
 
