@@ -51,11 +51,14 @@ std::vector<Device> find_devices() {
   return devices;
 }
 
+// Both names are looked up: some libraries have the function of EGL 1.5, some only that of the extension.
 EGLDisplay platform_display(EGLenum platform, void* native) {
-  if (epoxy_egl_version(EGL_NO_DISPLAY) >= 15) return eglGetPlatformDisplay(platform, native, nullptr);
-  if (has_extension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_EXT_platform_base")) {
-    return eglGetPlatformDisplayEXT(platform, native, nullptr);
-  }
+  const auto get_display =
+      reinterpret_cast<PFNEGLGETPLATFORMDISPLAYPROC>(eglGetProcAddress("eglGetPlatformDisplay"));
+  if (get_display) return get_display(platform, native, nullptr);
+  const auto get_display_ext =
+      reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  if (get_display_ext) return get_display_ext(platform, native, nullptr);
   return EGL_NO_DISPLAY;
 }
 

@@ -1,5 +1,6 @@
 #include "render/shader_program.h"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -44,6 +45,7 @@ std::string info_log(GLuint object, decltype(glGetShaderiv) get_parameter,
   get_parameter(object, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length > 0 ? length : 1), '\0');
   get_log(object, length, nullptr, log.data());
+  std::replace_if(log.begin(), log.end(), [](char c) { return c == '\n' || c == '\0'; }, ' ');
   return log;
 }
 

@@ -26,7 +26,7 @@ uint pack_color(vec3 color) {
   return (r << 21u) | (g << 10u) | b;
 }
 
-vec3 unpack_color(uint packed) {
-  return vec3(square(float(packed >> 21u) / 2047.0f), square(float((packed >> 10u) & 2047u) / 2047.0f),
-              square(float(packed & 1023u) / 1023.0f));
+vec3 unpack_color(uint word) {
+  return vec3(square(float(word >> 21u) / 2047.0f), square(float((word >> 10u) & 2047u) / 2047.0f),
+              square(float(word & 1023u) / 1023.0f));
 }
