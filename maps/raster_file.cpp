@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "maps/error.h"
+#include "maps/quiet_stderr.h"
 
 namespace prairie {
 namespace {
@@ -26,6 +27,7 @@ constexpr const char* kWholeImage = "a complete image of a format that OpenImage
 /// Runs a call into OpenImageIO, whose plug-ins let exceptions of the libraries below them escape.
 template <class Call>
 bool succeeds(const Call& call, std::string* error) {
+  const QuietStderr quiet;
   try {
     return call();
   } catch (const std::exception& exception) {
@@ -127,6 +129,14 @@ std::string RasterFile::channel_list() const {
   return list;
 }
 
+void RasterFile::checked(const std::function<bool()>& read) {
+  std::string error;
+  const bool ok = succeeds(read, &error);
+  // A TIFF whose strips are missing is "read" with an error pending, and with zeros for pixels.
+  const std::string pending = input_->geterror();
+  if (!ok || !pending.empty()) fail(pending.empty() ? error : pending, kWholeImage);
+}
+
 void RasterFile::read(ChannelRun channels, const Sink& sink) {
   if (spec_.tile_width > 0) {
     read_tiles(channels, sink);
@@ -143,15 +153,10 @@ void RasterFile::read_scanlines(ChannelRun channels, const Sink& sink) {
   std::vector<float> samples(row_samples * static_cast<std::uint64_t>(chunk_rows));
   for (int row = 0; row < spec_.height; row += chunk_rows) {
     const int rows = std::min(chunk_rows, spec_.height - row);
-    std::string error;
-    const bool ok = succeeds(
-        [&] {
-          return input_->read_scanlines(0, 0, spec_.y + row, spec_.y + row + rows, spec_.z, channels.first,
-                                        channels.first + channels.count, OIIO::TypeDesc::FLOAT,
-                                        samples.data());
-        },
-        &error);
-    if (!ok) fail(input_->has_error() ? input_->geterror() : error, kWholeImage);
+    checked([&] {
+      return input_->read_scanlines(0, 0, spec_.y + row, spec_.y + row + rows, spec_.z, channels.first,
+                                    channels.first + channels.count, OIIO::TypeDesc::FLOAT, samples.data());
+    });
     sink({0, row, spec_.width, rows},
          std::span<const float>(samples).first(row_samples * static_cast<std::uint64_t>(rows)));
   }
@@ -170,15 +175,11 @@ void RasterFile::read_tiles(ChannelRun channels, const Sink& sink) {
       const int columns = std::min(chunk_columns, spec_.width - column);
       samples.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
                      static_cast<std::size_t>(channels.count));
-      std::string error;
-      const bool ok = succeeds(
-          [&] {
-            return input_->read_tiles(0, 0, spec_.x + column, spec_.x + column + columns, spec_.y + row,
-                                      spec_.y + row + rows, spec_.z, spec_.z + 1, channels.first,
-                                      channels.first + channels.count, OIIO::TypeDesc::FLOAT, samples.data());
-          },
-          &error);
-      if (!ok) fail(input_->has_error() ? input_->geterror() : error, kWholeImage);
+      checked([&] {
+        return input_->read_tiles(0, 0, spec_.x + column, spec_.x + column + columns, spec_.y + row,
+                                  spec_.y + row + rows, spec_.z, spec_.z + 1, channels.first,
+                                  channels.first + channels.count, OIIO::TypeDesc::FLOAT, samples.data());
+      });
       sink({column, row, columns, rows}, samples);
     }
   }

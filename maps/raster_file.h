@@ -58,6 +58,8 @@ class RasterFile {
  private:
   [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
   void check_claims(std::uint64_t file_bytes) const;
+  /// Runs one read; throws BadInput unless it succeeds without a word of complaint.
+  void checked(const std::function<bool()>& read);
   void read_scanlines(ChannelRun channels, const Sink& sink);
   void read_tiles(ChannelRun channels, const Sink& sink);
 
