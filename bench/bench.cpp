@@ -15,6 +15,7 @@ struct Bench {
 
 constexpr std::array kBenches{
     Bench{"planting.cpu_blades_per_s_core", planting_cpu_blades_per_s_core},
+    Bench{"planting.gpu_ns_per_blade", planting_gpu_ns_per_blade},
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 add_library(prairie_flags INTERFACE)
 target_compile_options(prairie_flags INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=double-promotion
-  -ffp-contract=off -fno-fast-math
+  -ffp-contract=off -fno-math-errno -fno-trapping-math
   $<$<BOOL:${PRAIRIE_WERROR}>:-Werror>)
 if(PRAIRIE_SANITIZE)
   target_compile_options(prairie_flags INTERFACE -fsanitize=${PRAIRIE_SANITIZE} -fno-omit-frame-pointer)
