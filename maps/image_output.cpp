@@ -60,6 +60,8 @@ std::vector<std::byte> encode_exr_rgb(int width, int height, std::span<const flo
   assert(rgb.size() == value_count(width, height, 3));
   OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
   spec.attribute("compression", "zip");
+  // OpenImageIO would write the time of day.
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
   return encode("exr", spec, rgb.data());
 }
 

@@ -1,6 +1,6 @@
-// Opens a person's raster as a node grid: any image that OpenImageIO reads, with its geo-reference, its
-// nodata value and its value range understood, and nothing believed before it is checked (docs/design.md,
-// D8).
+// Opens a person's raster as a node grid: any image that OpenImageIO reads (samples of 8, 16 or 32 bits),
+// with its geo-reference, its nodata value and its value range understood, and nothing believed before it is
+// checked (docs/design.md, D8).
 #pragma once
 
 #include <array>

@@ -125,8 +125,10 @@ void ValueMapping::map_pixels(std::span<const float> samples, int sample_channel
   const std::size_t used = std::min(stride, channels);
   const std::size_t pixels = samples.size() / stride;
   const bool clamps = meaning_ == MapMeaning::kDensity || meaning_ == MapMeaning::kFactor;
-  const double low = std::min(low_, high_);
-  const double high = std::max(low_, high_);
+  // A limit that someone wrote in decimals must not exclude the float nearest to it.
+  const double slack = 1e-6 * std::abs(high_ - low_);
+  const double low = std::min(low_, high_) - slack;
+  const double high = std::max(low_, high_) + slack;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     const float* in = samples.data() + pixel * stride;
     float* out = values.data() + pixel * channels;

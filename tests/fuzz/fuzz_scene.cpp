@@ -1,0 +1,48 @@
+// Fuzzes the reader of scene files: the bytes before the first NUL are scene.toml, those after it are
+// overrides, one a line. Whatever they are, they give a scene within its limits or BadInput in one line.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/scene.h"
+#include "world/scene_hash.h"
+
+namespace {
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view input(reinterpret_cast<const char*>(data), size);
+  const auto end = input.find('\0');
+  const std::string_view overrides =
+      end == std::string_view::npos ? std::string_view() : input.substr(end + 1);
+  try {
+    const prairie::Scene scene = prairie::parse_scene(input.substr(0, end), "folder", lines_of(overrides));
+    require(!scene.species.empty() && scene.species.size() <= prairie::kMaxSpecies);
+    for (const prairie::SpeciesSpec& spec : scene.species) {
+      require(spec.uniform_density_per_m2 >= 0.0 && spec.uniform_density_per_m2 <= prairie::kMaxDensityPerM2);
+      require(!spec.density || (spec.density->max >= 0.0 && spec.density->max <= prairie::kMaxDensityPerM2));
+      require(spec.species.params.height_m > 0.0f && spec.species.params.clump_m > 0.0f);
+    }
+    prairie::scene_hash(scene, {});
+  } catch (const prairie::BadInput& fault) {
+    require(std::string_view(fault.what()).find('\n') == std::string_view::npos);
+  }
+  return 0;
+}
