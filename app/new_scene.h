@@ -13,7 +13,7 @@ namespace prairie {
 /// How a person's density raster becomes blades per m²: max · clamp((v − LO)/(HI − LO), 0, 1)^curve.
 struct DensityRequest {
   std::filesystem::path file;
-  std::optional<std::array<double, 2>> range;  // default 0,1 (float files) or the type's full range
+  std::optional<std::array<double, 2>> range = {};  // default 0,1 (float files) or the type's full range
   double curve = 1.0;
   double max_per_m2 = 1000.0;
 };

@@ -12,6 +12,7 @@ namespace prairie {
 namespace {
 
 constexpr std::uintmax_t kLargestFileBytes = 4u << 20;  // a hand-written scene has a few kB
+constexpr std::size_t kLongestDescription = 200;
 
 std::string read_text(const std::filesystem::path& file) {
   std::error_code error;
@@ -39,7 +40,7 @@ toml::table parsed_table(std::string_view text, const std::string& file) {
   } catch (const toml::parse_error& error) {
     const auto& at = error.source().begin;
     throw BadInput(file, fmt::format("line {}, column {}", at.line, at.column),
-                   printable(error.description()), "TOML (toml.io)");
+                   printable(error.description(), kLongestDescription), "TOML (toml.io)");
   }
 }
 

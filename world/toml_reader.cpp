@@ -14,8 +14,6 @@
 namespace prairie {
 namespace {
 
-constexpr std::size_t kLongestQuote = 60;
-
 std::string described(const toml::node& node) {
   if (const auto* text = node.as_string()) return fmt::format("the text \"{}\"", printable(text->get()));
   if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
@@ -32,11 +30,11 @@ std::string expected_number(Bounds bounds) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::size_t longest) {
   const auto continues_letter = [&](std::size_t i) {
     return (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80;
   };
-  std::size_t length = std::min(text.size(), kLongestQuote);
+  std::size_t length = std::min(text.size(), longest);
   while (length > 0 && length < text.size() && continues_letter(length)) --length;
   std::string line(text.substr(0, length));
   for (char& c : line) {

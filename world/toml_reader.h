@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -71,6 +72,6 @@ class TableReader {
 };
 
 /// Control characters replaced and long text cut, so that a message stays one readable line.
-std::string printable(std::string_view text);
+std::string printable(std::string_view text, std::size_t longest = 60);
 
 }  // namespace prairie
