@@ -35,9 +35,10 @@ uint sobol_reversed_second(uint index) {
   return x;
 }
 
-// Point `index` of the sequence with this seed, in [0, 1)².
+// Point `index` of the sequence with this seed, in [0, 1)². The second seed is hashed: the first digits of a scramble are its
+// seed's lowest bits, so that with seeds that differ by a constant every odd point would keep to one diagonal.
 vec2 sequence_point(uint index, uint seed) {
   uint x = reverse_bits(permute_upwards(index, seed));
-  uint y = reverse_bits(permute_upwards(sobol_reversed_second(index), seed ^ 0x9e3779b9u));
+  uint y = reverse_bits(permute_upwards(sobol_reversed_second(index), hash_u32(seed)));
   return vec2(unit_from_u32(x), unit_from_u32(y));
 }
