@@ -7,162 +7,136 @@
 #include <utility>
 #include <vector>
 
+#include "maps/error.h"
+
 namespace prairie {
 namespace {
 
 constexpr int kOverviewNodes = 1024;  // an overview has at most so many cells a side
 
-/// How far (cells of the overview) the values around a gap can reach into it below the overview's level: each
-/// level spreads them by its sweeps and one cell of interpolation, and the levels' cells halve.
-constexpr int kReachCells = kFillSweeps + 1;
+constexpr HeightRange kNothing{std::numeric_limits<float>::infinity(),
+                               -std::numeric_limits<float>::infinity()};
 
 std::size_t cells(int columns, int rows) {
   return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
 }
 
-constexpr HeightRange kNothing{std::numeric_limits<float>::infinity(),
-                               -std::numeric_limits<float>::infinity()};
+/// What is known of the nodes of one cell of the overview.
+struct CellCensus {
+  HeightRange heights_m = kNothing;
+  float steepest_m = 0.0f;  // of the rises from node to node, east or north
+  bool has_gap = false;
+};
 
-/// Widens each block next to a gap, or in one, by its neighbours as far as they can reach: what is filled is
-/// a mean of measured nodes and overview cells no further away.
-void include_filled(const FillLevel& overview, const std::vector<bool>& gappy,
-                    std::vector<HeightRange>* blocks) {
-  const int columns = overview.columns;
-  const int rows = overview.rows;
-  const auto index = [columns](int i, int j) { return cells(columns, j) + static_cast<std::size_t>(i); };
-  std::vector<HeightRange> known = *blocks;
-  for (std::size_t k = 0; k < known.size(); ++k) {
-    known[k] = united(known[k], {overview.values[k], overview.values[k]});
-  }
-  std::vector<HeightRange> along(known.size(), kNothing);
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < columns; ++i) {
-      for (int x = std::max(0, i - kReachCells); x <= std::min(columns - 1, i + kReachCells); ++x) {
-        along[index(i, j)] = united(along[index(i, j)], known[index(x, j)]);
-      }
-    }
-  }
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < columns; ++i) {
-      if (!gappy[index(i, j)]) continue;
-      HeightRange& block = (*blocks)[index(i, j)];
-      for (int y = std::max(0, j - kReachCells); y <= std::min(rows - 1, j + kReachCells); ++y) {
-        block = united(block, along[index(i, y)]);
-      }
-    }
+CellCensus united(const CellCensus& a, const CellCensus& b) {
+  return {united(a.heights_m, b.heights_m), std::max(a.steepest_m, b.steepest_m), a.has_gap || b.has_gap};
+}
+
+void take(CellCensus* census, float height_m, float east_m, float north_m) {
+  if (!std::isnan(height_m)) census->heights_m = united(census->heights_m, {height_m, height_m});
+  for (const float slope_m : {east_m, north_m}) {
+    if (!std::isnan(slope_m)) census->steepest_m = std::max(census->steepest_m, std::abs(slope_m));
   }
 }
 
-/// A grid on disk whose gaps are filled as they are read: the part of `fill_nodata`'s pyramid below the
-/// overview is built for a window around the block, wide enough that its edges do not reach the block.
-class FilledSource : public NodeSource {
- public:
-  FilledSource(NodeGrid measured, FillLevel overview, int level)
-      : measured_(std::move(measured)), overview_(std::move(overview)), level_(level) {}
-
-  void read(const NodeRect& rect, std::span<float> out) const override {
-    measured_.read_block(rect, out);
-    if (std::none_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(cells(rect.columns, rect.rows)),
-                     [](float v) { return std::isnan(v); })) {
-      return;
-    }
-    const NodeRect window = window_around(rect);
-    const FillLevel filled = filled_window(window);
-    for (int j = 0; j < rect.rows; ++j) {
-      const float* row = filled.values.data() + cells(window.columns, rect.row - window.row + j) +
-                         (rect.column - window.column);
-      std::copy_n(row, rect.columns, out.begin() + static_cast<std::ptrdiff_t>(cells(rect.columns, j)));
+/// The extremes of all cells within reach of each cell.
+std::vector<CellCensus> within_reach(int columns, int rows, const std::vector<CellCensus>& census) {
+  const auto index = [columns](int i, int j) { return cells(columns, j) + static_cast<std::size_t>(i); };
+  std::vector<CellCensus> along(census.size()), result(census.size());
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const int last = std::min(columns - 1, i + kFillReachCells);
+      for (int x = std::max(0, i - kFillReachCells); x <= last; ++x) {
+        along[index(i, j)] = united(along[index(i, j)], census[index(x, j)]);
+      }
     }
   }
-
- private:
-  /// Begins on a corner of the overview's cells and ends on one or at the grid's border.
-  NodeRect window_around(const NodeRect& rect) const {
-    const int cell = 1 << level_;
-    const int margin = kReachCells * cell;
-    const int column = std::max(0, (rect.column - margin) / cell * cell);
-    const int row = std::max(0, (rect.row - margin) / cell * cell);
-    const auto end = [cell](int last, int count) { return std::min((last / cell + 1) * cell, count); };
-    return {column, row, end(rect.column + rect.columns - 1 + margin, measured_.frame().columns) - column,
-            end(rect.row + rect.rows - 1 + margin, measured_.frame().rows) - row};
+  for (int j = 0; j < rows; ++j) {
+    const int last = std::min(rows - 1, j + kFillReachCells);
+    for (int i = 0; i < columns; ++i) {
+      for (int y = std::max(0, j - kFillReachCells); y <= last; ++y) {
+        result[index(i, j)] = united(result[index(i, j)], along[index(i, y)]);
+      }
+    }
   }
+  return result;
+}
 
-  FillLevel filled_window(const NodeRect& window) const {
-    std::vector<FillLevel> levels(1);
-    levels[0] = {window.columns, window.rows, std::vector<float>(cells(window.columns, window.rows))};
-    measured_.read_block(window, levels[0].values);
-    for (int k = 1; k < level_; ++k) {
-      const FillLevel& last = levels.back();
-      levels.push_back(coarser_level(last.columns, last.rows, last.values));
-    }
-    FillLevel coarser{(levels.back().columns + 1) / 2, (levels.back().rows + 1) / 2, {}};
-    for (int j = 0; j < coarser.rows; ++j) {
-      const float* row = overview_.values.data() + cells(overview_.columns, (window.row >> level_) + j) +
-                         (window.column >> level_);
-      coarser.values.insert(coarser.values.end(), row, row + coarser.columns);
-    }
-    for (std::size_t k = levels.size(); k-- > 0;) {
-      fill_from_coarser(coarser, levels[k].columns, levels[k].rows, false, levels[k].values);
-      coarser = std::move(levels[k]);
-    }
-    return coarser;
+/// Bounds of each cell's nodes, filled ones included: those are means of what lies within reach, moved on
+/// each level by no more than one cell's rise per sweep.
+std::vector<HeightRange> cell_bounds(const GroundOverview& overview, std::vector<CellCensus> census) {
+  std::vector<HeightRange> bounds;
+  for (const CellCensus& cell : census) bounds.push_back(cell.heights_m);
+  for (std::size_t k = 0; k < census.size(); ++k) {
+    take(&census[k], overview.cells.heights_m[k], overview.cells.east_m[k], overview.cells.north_m[k]);
   }
+  const std::vector<CellCensus> reach = within_reach(overview.cells.columns, overview.cells.rows, census);
+  const float cell_sweeps = static_cast<float>(kFillSweeps << overview.level);
+  for (std::size_t k = 0; k < census.size(); ++k) {
+    if (!census[k].has_gap) continue;
+    const float rise_m = reach[k].steepest_m * cell_sweeps;
+    bounds[k] = united(bounds[k], {reach[k].heights_m.min_m - rise_m, reach[k].heights_m.max_m + rise_m});
+  }
+  return bounds;
+}
 
-  NodeGrid measured_;
-  FillLevel overview_;
-  int level_;
-};
+/// Copies one strip out of a taller one.
+FillLevel rows_of(const FillLevel& level, int first, int count) {
+  const auto cut = [&](const std::vector<float>& values) {
+    const float* begin = values.data() + cells(level.columns, first);
+    return std::vector<float>(begin, begin + cells(level.columns, count));
+  };
+  return {level.columns, count, cut(level.heights_m), cut(level.east_m), cut(level.north_m)};
+}
+
+void append(const std::vector<float>& from, std::vector<float>* to) {
+  to->insert(to->end(), from.begin(), from.end());
+}
 
 }  // namespace
 
 GroundSurvey survey_ground(const NodeGrid& measured_m) {
   const GridFrame& frame = measured_m.frame();
-  int level = 1;
-  while (((std::max(frame.columns, frame.rows) - 1) >> level) + 1 > kOverviewNodes) ++level;
+  GroundOverview overview;
+  while (((std::max(frame.columns, frame.rows) - 1) >> overview.level) + 1 > kOverviewNodes) ++overview.level;
+  const int level = overview.level;
   const int cell = 1 << level;
   const int columns = ((frame.columns - 1) >> level) + 1;
   const int rows = ((frame.rows - 1) >> level) + 1;
+  overview.cells.columns = columns;
+  overview.cells.rows = rows;
 
-  FillLevel overview{columns, rows, {}};
-  overview.values.reserve(cells(columns, rows));
-  std::vector<HeightRange> blocks(cells(columns, rows), kNothing);
-  std::vector<bool> gappy(cells(columns, rows), false);
-  HeightRange measured = kNothing;
+  std::vector<CellCensus> census(cells(columns, rows));
+  std::vector<float> nodes;
   for (int row = 0; row < rows; ++row) {
-    FillLevel strip{frame.columns, std::min(cell, frame.rows - row * cell), {}};
-    strip.values.resize(cells(strip.columns, strip.rows));
-    measured_m.read_block({0, row * cell, strip.columns, strip.rows}, strip.values);
-    for (std::size_t k = 0; k < strip.values.size(); ++k) {
+    // One row more on either side, for the slopes.
+    const int first = std::max(0, row * cell - 1);
+    const int last = std::min(frame.rows, (row + 1) * cell + 1);
+    nodes.resize(cells(frame.columns, last - first));
+    measured_m.read_block({0, first, frame.columns, last - first}, nodes);
+    FillLevel strip = rows_of(finest_level(frame.columns, last - first, false, nodes), row * cell - first,
+                              std::min(cell, frame.rows - row * cell));
+    for (std::size_t k = 0; k < strip.heights_m.size(); ++k) {
       const std::size_t column = k % static_cast<std::size_t>(strip.columns);
-      const std::size_t block = cells(columns, row) + (column >> level);
-      if (std::isnan(strip.values[k])) {
-        gappy[block] = true;
-      } else {
-        blocks[block] = united(blocks[block], {strip.values[k], strip.values[k]});
-      }
+      CellCensus& here = census[cells(columns, row) + (column >> level)];
+      take(&here, strip.heights_m[k], strip.east_m[k], strip.north_m[k]);
+      if (std::isnan(strip.heights_m[k])) here.has_gap = true;
     }
-    for (int k = 0; k < level; ++k) strip = coarser_level(strip.columns, strip.rows, strip.values);
-    overview.values.insert(overview.values.end(), strip.values.begin(), strip.values.end());
+    for (int k = 0; k < level; ++k) strip = coarser_level(strip);
+    append(strip.heights_m, &overview.cells.heights_m);
+    append(strip.east_m, &overview.cells.east_m);
+    append(strip.north_m, &overview.cells.north_m);
   }
-  for (const HeightRange& block : blocks) measured = united(measured, block);
-  if (measured.min_m > measured.max_m) throw no_ground();
 
-  const bool has_gaps = std::find(gappy.begin(), gappy.end(), true) != gappy.end();
-  if (has_gaps) {
-    fill_nodata(columns, rows, false, overview.values);
-    include_filled(overview, gappy, &blocks);
+  CellCensus all;
+  for (const CellCensus& here : census) all = united(all, here);
+  if (all.heights_m.min_m > all.heights_m.max_m) {
+    throw BadInput("", "", "a height map without data", "at least one node with a height");
   }
-  return {measured, has_gaps, HeightBounds(cell, columns, rows, std::move(blocks)), std::move(overview),
-          level};
-}
-
-NodeGrid fill_from_survey(const NodeGrid& measured_m, FillLevel overview, int overview_level) {
-  return NodeGrid(measured_m.frame(), 1,
-                  std::make_shared<FilledSource>(measured_m, std::move(overview), overview_level), false);
-}
-
-BadInput no_ground() {
-  return BadInput("", "", "a height map without data", "at least one node with a height");
+  if (all.has_gap) fill_level(cell, false, &overview.cells);
+  std::vector<HeightRange> bounds = cell_bounds(overview, std::move(census));
+  return {all.heights_m, all.has_gap, HeightBounds(cell, columns, rows, std::move(bounds)),
+          std::move(overview)};
 }
 
 }  // namespace prairie

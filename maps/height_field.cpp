@@ -132,7 +132,9 @@ void HeightField::take_nodes_in_memory() {
       measured_range_ = united(measured_range_, {node, node});
     }
   }
-  if (measured_range_.min_m > measured_range_.max_m) throw no_ground();
+  if (measured_range_.min_m > measured_range_.max_m) {
+    throw BadInput("", "", "a height map without data", "at least one node with a height");
+  }
   if (has_gaps_) {
     gaps_ = std::make_shared<NodeMask>(frame.columns, frame.rows, nodes);
     fill_nodata(frame.columns, frame.rows, frame.repeats, heights_.values());
@@ -147,7 +149,7 @@ void HeightField::take_nodes_on_disk() {
   bounds_ = std::make_shared<HeightBounds>(std::move(survey.bounds));
   if (has_gaps_) {
     measured_ = heights_;
-    heights_ = fill_from_survey(measured_, std::move(survey.overview), survey.overview_level);
+    heights_ = filled_heights(measured_, std::move(survey.overview));
   }
 }
 

@@ -1,0 +1,61 @@
+#include <string_view>
+
+#include "tests/fuzz/corpus.h"
+
+namespace prairie::fuzz {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::string_view kPlain = "version = 1\n[ground]\nsize_m = [40, 20]\n[[species]]\nname = \"a\"\n"sv;
+
+// What follows the NUL are overrides.
+constexpr std::string_view kOverridden =
+    "version = 1\n[ground]\nsize_m = [4, 4]\n[[species]]\nname = \"a\"\n\0"
+    "lod.quality=high\nspecies.a.height_m=1\nspecies.0.density={ file = \"a\" }\nsun.color=#ffffff\n"sv;
+
+constexpr std::string_view kEveryTable = R"(version = 1
+seed = 77
+tile_m = 8
+[height]
+file = "dtm.tif"
+range = [100, 200.5]
+channel = "R"
+nodata = -1
+repeat = true
+[ground]
+soil_color = [0.1, 0.2, 0.3]
+[[species]]
+name = "oat"
+density = { file = "oat.png", range = [255, 0], curve = 2, max_per_m2 = 300, spacing_m = 0.5 }
+height_m = 0.7
+tip_color = "#b59a55"
+[maps]
+blade_height = { file = "a.png", max = 1.5 }
+color = { file = "c.png" }
+[[camera]]
+name = "default"
+position_m = [1, 2.5, "+1.7"]
+pitch_deg = 5
+[sun]
+elevation_deg = 10
+[sky]
+haze_per_m = 0.01
+[lod]
+quality = "high"
+)"sv;
+
+}  // namespace
+
+int replay_count() {
+  return 40000;
+}
+
+std::vector<Input> make_corpus() {
+  std::vector<Input> corpus;
+  for (const std::string_view text : {kPlain, kOverridden, kEveryTable})
+    corpus.emplace_back(text.begin(), text.end());
+  return corpus;
+}
+
+}  // namespace prairie::fuzz
