@@ -107,6 +107,7 @@ void write_hashes(const Meadow& meadow, const TileRange& tiles, StreamedOutput& 
 
 int plant_tiles(const PlantOptions& options, const GlobalOptions& globals) {
   const BladeTableFormat format = options.hashes ? BladeTableFormat::kCsv : table_format(options.output);
+  if (options.output != kStandardOutput) check_output_file(options.output);
   const World world = open_world(options.folder, globals);
   const Meadow& meadow = world.meadow();
   const TileRange tiles = chosen_tiles(options.tiles, meadow);
