@@ -10,10 +10,12 @@ namespace {
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr int kDirections = 16;
 constexpr double kLongestViewM = 120.0;
-constexpr double kGoodViewM = 60.0;   // a place with this much meadow ahead is good enough
-constexpr double kStandM = 0.75;      // the ground is planted this far around the feet
-constexpr double kLookAheadM = 18.0;  // the ground at this distance is in the middle of the picture
-constexpr int kRings = 60;
+constexpr double kGoodViewM = 60.0;     // a place with this much meadow ahead is good enough,
+constexpr double kGoodViewShare = 0.3;  // or, in small scenes, with this share of their size
+constexpr double kStandM = 0.75;        // the ground is planted this far around the feet
+constexpr double kLookAheadM = 18.0;    // the ground at this distance is in the middle of the picture
+constexpr int kCoarseRings = 20;
+constexpr int kFineRings = 80;  // for scenes where grass grows in few places
 
 glm::dvec2 heading(double yaw_deg) {
   const double yaw_rad = yaw_deg / kDegPerRad;
@@ -55,11 +57,13 @@ View longest_view(const Meadow& meadow, glm::dvec2 position_m) {
 }
 
 // Square rings around the middle of the scene, the nearest first.
-View best_view(const Meadow& meadow) {
+View best_view(const Meadow& meadow, int rings) {
   const glm::dvec2 middle_m = 0.5 * meadow.extent_m;
-  const glm::dvec2 step_m = 0.5 / kRings * meadow.extent_m;
+  const glm::dvec2 step_m = 0.5 / rings * meadow.extent_m;
+  const double good_view_m =
+      std::min(kGoodViewM, kGoodViewShare * std::min(meadow.extent_m.x, meadow.extent_m.y));
   View best;
-  for (int ring = 0; ring < kRings; ++ring) {
+  for (int ring = 0; ring < rings; ++ring) {
     for (int j = -ring; j <= ring; ++j) {
       const bool is_end_row = std::abs(j) == ring;
       for (int i = -ring; i <= ring; i += is_end_row || ring == 0 ? 1 : 2 * ring) {
@@ -67,7 +71,7 @@ View best_view(const Meadow& meadow) {
         if (!is_standing_place(meadow, position_m)) continue;
         const View view = longest_view(meadow, position_m);
         if (view.stretch_m > best.stretch_m) best = view;
-        if (best.stretch_m >= kGoodViewM) return best;
+        if (best.stretch_m >= good_view_m) return best;
       }
     }
   }
@@ -95,7 +99,8 @@ double pitch_to_ground_deg(const Meadow& meadow, glm::dvec2 position_m, double y
 }
 
 CameraSpec placed_camera_spec(const Meadow& meadow, const std::string& name) {
-  View view = best_view(meadow);
+  View view = best_view(meadow, kCoarseRings);
+  if (view.stretch_m < 0.0) view = best_view(meadow, kFineRings);
   if (view.stretch_m < 0.0) view.position_m = 0.5 * meadow.extent_m;
   CameraSpec camera;
   camera.name = name;
