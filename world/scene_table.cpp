@@ -156,7 +156,7 @@ CameraSpec read_camera(TableReader& table, const std::vector<std::string>& taken
   read_position(table, camera);
   camera.yaw_deg = table.number("yaw_deg", {-360.0, 360.0}).value_or(camera.yaw_deg);
   camera.pitch_deg = table.number("pitch_deg", {-90.0, 90.0}).value_or(camera.pitch_deg);
-  camera.fov_deg = table.number("fov_deg", {1.0, 150.0}).value_or(camera.fov_deg);
+  camera.fov_deg = table.number("fov_deg", {1.0, 170.0}).value_or(camera.fov_deg);
   table.refuse_unknown_keys();
   return camera;
 }
