@@ -36,7 +36,8 @@ constexpr double kRoundingM = 1e-6;
 
 TEST(BareGroundTest, DensityZeroStaysBare) {
   EXPECT_EQ(blade_count(level_meadow(20.0, uniform_density(0.0))), 0u);
-  // A strip of zero nodes, whose neighbours carry 1000/m²: bare between the strip's nodes, thinning towards it.
+  // A strip of zero nodes, whose neighbours carry 1000/m²: bare between the strip's nodes, thinning towards
+  // it.
   for (const double spacing_m : {0.25, 0.5, 1.0, 2.0, 4.0}) {
     const Meadow meadow = level_meadow(24.0, grid_from(square_frame(24.0, spacing_m), [](glm::dvec2 p) {
                                          return p.x >= 8.0 && p.x <= 16.0 ? 0.0 : 1000.0;
@@ -76,7 +77,8 @@ TEST(BareGroundTest, MisalignedNodataStaysBare) {
       return p.x >= 8.0 && p.x <= 12.0 && p.y >= 8.0 && p.y <= 12.0 ? static_cast<double>(kNaN) : 500.0;
     });
     std::size_t on_nodata = 0;
-    for_each_blade(level_meadow(24.0, density), [&](glm::dvec2 p) { on_nodata += std::isnan(density.sample(p)); });
+    for_each_blade(level_meadow(24.0, density),
+                   [&](glm::dvec2 p) { on_nodata += std::isnan(density.sample(p)); });
     EXPECT_EQ(on_nodata, 0u) << spacing_m;
   }
 }
@@ -99,16 +101,19 @@ TEST(BareGroundTest, HeightNodataStaysBare) {
 
 TEST(BareGroundTest, BordersOfMapsStayBare) {
   // The density map ends inside the field.
-  const Meadow meadow = level_meadow(24.0, grid_from({11, 11, 1.0, {5.0, 5.0}, false}, [](glm::dvec2) { return 400.0; }));
+  const Meadow meadow =
+      level_meadow(24.0, grid_from({11, 11, 1.0, {5.0, 5.0}, false}, [](glm::dvec2) { return 400.0; }));
   std::size_t blades = 0;
   for_each_blade(meadow, [&](glm::dvec2 p) {
     ++blades;
-    EXPECT_TRUE(p.x >= 5.0 - kRoundingM && p.x <= 15.0 + kRoundingM && p.y >= 5.0 - kRoundingM && p.y <= 15.0 + kRoundingM);
+    EXPECT_TRUE(p.x >= 5.0 - kRoundingM && p.x <= 15.0 + kRoundingM && p.y >= 5.0 - kRoundingM &&
+                p.y <= 15.0 + kRoundingM);
   });
   EXPECT_NEAR(static_cast<double>(blades), 400.0 * 100.0, 40.0);
 }
 
-/// A field whose border crosses cells is planted up to the last eighth of a cell (0.25 m) that fits, and never beyond.
+/// A field whose border crosses cells is planted up to the last eighth of a cell (0.25 m) that fits, and
+/// never beyond.
 TEST(BareGroundTest, FieldEndsAtItsBorder) {
   for (const double extent_m : {10.0, 9.25, 9.1, 0.5}) {
     const Meadow meadow = level_meadow(extent_m, uniform_density(400.0));

@@ -42,9 +42,8 @@ TEST(CountsTest, CountDiffersFromItsExpectationByLessThanOneACell) {
 }
 
 TEST(CountsTest, ExpectationIsTheIntegralOfTheMap) {
-  for (const NodeGrid& density :
-       {uniform_density(123.0), smooth_density(kExtentM, 200.0), steep_density(kExtentM, 200.0),
-        quarter_metre_density(kExtentM, 200.0)}) {
+  for (const NodeGrid& density : {uniform_density(123.0), smooth_density(kExtentM, 200.0),
+                                  steep_density(kExtentM, 200.0), quarter_metre_density(kExtentM, 200.0)}) {
     const Meadow meadow = level_meadow(kExtentM, density);
     for (int n = 0; n < 10; ++n) {
       const TileId tile{n, (3 * n) % 10};
@@ -55,7 +54,8 @@ TEST(CountsTest, ExpectationIsTheIntegralOfTheMap) {
   }
 }
 
-/// A cell that expects a third of a blade has one in a third of all worlds: 30 000 give a standard deviation of 0.0027.
+/// A cell that expects a third of a blade has one in a third of all worlds: 30 000 give a standard deviation
+/// of 0.0027.
 TEST(CountsTest, RareBladesComeAsOftenAsTheyShould) {
   Meadow meadow = level_meadow(4.0, uniform_density(1.0 / 12.0));
   double blades = 0.0;

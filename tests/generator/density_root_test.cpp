@@ -25,8 +25,10 @@ double worst_error(float a, float b) {
   double worst = 0.0;
   for (int n = 0; n < 1000; ++n) {
     const float u = static_cast<float>(n) / 1000.0f;
-    const long double exact = root_by_bisection(static_cast<long double>(u), static_cast<long double>(a), static_cast<long double>(b));
-    const double error = std::abs(static_cast<double>(static_cast<long double>(Kernels{}.linear_density_root(u, a, b)) - exact));
+    const long double exact = root_by_bisection(static_cast<long double>(u), static_cast<long double>(a),
+                                                static_cast<long double>(b));
+    const double error = std::abs(
+        static_cast<double>(static_cast<long double>(Kernels{}.linear_density_root(u, a, b)) - exact));
     worst = std::max(worst, error);
   }
   return worst;
@@ -53,7 +55,8 @@ TEST(DensityRootTest, HoldsWhereTheEndsAreNearlyEqual) {
 
 TEST(DensityRootTest, HoldsWhereOneEndIsBare) {
   EXPECT_LE(worst_error(0.0f, 1000.0f), kTolerance);
-  EXPECT_LE(worst_error(1000.0f, 0.0f), 1e-5) << "near the bare end 1 − t = √(1 − u), which float resolves less well";
+  EXPECT_LE(worst_error(1000.0f, 0.0f), 1e-5)
+      << "near the bare end 1 − t = √(1 − u), which float resolves less well";
   EXPECT_LE(worst_error(1e-6f, 1e5f), kTolerance);
 }
 

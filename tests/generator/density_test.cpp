@@ -1,9 +1,9 @@
 // Density: what stands on a square is what the maps say, on average over seeds and in every single field.
 //
-// Over 1000 seeds the mean count of each 1/16 of a tile lies within 0.5 % of the integral of the density. The standard
-// error of each mean is measured alongside and has to stay below a quarter of that margin, so that the test judges the
-// planting and not its own luck. The integral is the map's own (tests/generator/reference_density.h), not that of the
-// lattice that planting makes of it.
+// Over 1000 seeds the mean count of each 1/16 of a tile lies within 0.5 % of the integral of the density. The
+// standard error of each mean is measured alongside and has to stay below a quarter of that margin, so that
+// the test judges the planting and not its own luck. The integral is the map's own
+// (tests/generator/reference_density.h), not that of the lattice that planting makes of it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,7 +131,8 @@ TEST(DensityLongTest, MeanOverManySeedsIsTheIntegral) {
   }
 }
 
-/// χ² of the counts in all 1/16s of a field, over their number: 1 for blades that are thrown at random; the bar is 0.3.
+/// χ² of the counts in all 1/16s of a field, over their number: 1 for blades that are thrown at random; the
+/// bar is 0.3.
 void expect_even_field(const std::string& name, NodeGrid density, double extent_m) {
   const Meadow meadow = level_meadow(extent_m, std::move(density));
   const TileRange tiles = tiles_of(meadow);

@@ -1,5 +1,6 @@
-// The same meadow gives the same blades: for any number of threads, in whichever order tiles are planted, through either
-// way into the kernels, and on every machine. (tests/generator/hash_matrix.sh compares compilers.)
+// The same meadow gives the same blades: for any number of threads, in whichever order tiles are planted,
+// through either way into the kernels, and on every machine. (tests/generator/hash_matrix.sh compares
+// compilers.)
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>

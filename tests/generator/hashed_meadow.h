@@ -1,5 +1,6 @@
-// The meadow whose hash every compiler, optimisation level and machine has to agree on: three species, feature maps,
-// steep ground. Its maps come from integers and plain arithmetic alone: no library function may differ.
+// The meadow whose hash every compiler, optimisation level and machine has to agree on: three species,
+// feature maps, steep ground. Its maps come from integers and plain arithmetic alone: no library function may
+// differ.
 #pragma once
 
 #include <cstdint>

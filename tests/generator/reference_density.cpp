@@ -31,8 +31,7 @@ double density_integral(const NodeGrid& map, glm::dvec2 min_m, glm::dvec2 max_m)
     for (std::size_t i = 0; i + 1 < x.size(); ++i) {
       const double area_m2 = (x[i + 1] - x[i]) * (y[j + 1] - y[j]);
       if (area_m2 <= 0.0) continue;
-      sum += area_m2 *
-             static_cast<double>(map.sample({0.5 * (x[i] + x[i + 1]), 0.5 * (y[j] + y[j + 1])}));
+      sum += area_m2 * static_cast<double>(map.sample({0.5 * (x[i] + x[i + 1]), 0.5 * (y[j] + y[j + 1])}));
     }
   }
   return sum;

@@ -7,8 +7,8 @@
 
 namespace prairie {
 
-/// Integral of the bilinear surface over the box, cut along the map's node lines; between them the value in the
-/// middle of a rectangle is its mean.
+/// Integral of the bilinear surface over the box, cut along the map's node lines; between them the value in
+/// the middle of a rectangle is its mean.
 double density_integral(const NodeGrid& map, glm::dvec2 min_m, glm::dvec2 max_m);
 
 }  // namespace prairie

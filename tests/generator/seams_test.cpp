@@ -1,7 +1,8 @@
-// Borders of tiles and cells do not show: as many blades stand along them as elsewhere, at the same distances.
+// Borders of tiles and cells do not show: as many blades stand along them as elsewhere, at the same
+// distances.
 //
-// Uniform density, so that every difference is a seam. The cells' sequences are independent, so that across a border two
-// blades can come closer than inside a cell; how much is stated by the second test.
+// Uniform density, so that every difference is a seam. The cells' sequences are independent, so that across a
+// border two blades can come closer than inside a cell; how much is stated by the second test.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,8 +34,9 @@ std::vector<glm::dvec2> roots_of_field(std::uint64_t seed) {
   return roots_m;
 }
 
-/// Bands 5 cm wide, by where in a cell they lie; those in the middle of the list straddle borders. 40 bands of 80 m at
-/// 400/m² over 4 seeds hold 256 000 blades; thrown at random their number would have a standard deviation of 0.2 %.
+/// Bands 5 cm wide, by where in a cell they lie; those in the middle of the list straddle borders. 40 bands
+/// of 80 m at 400/m² over 4 seeds hold 256 000 blades; thrown at random their number would have a standard
+/// deviation of 0.2 %.
 TEST(SeamsTest, BandsAcrossBordersHoldAsManyBlades) {
   constexpr int kBands = 40;
   for (const int axis : {0, 1}) {
@@ -48,7 +50,8 @@ TEST(SeamsTest, BandsAcrossBordersHoldAsManyBlades) {
     const double expected = 4.0 * kDensityPerM2 * kExtentM * kExtentM / kBands;
     std::printf("axis %d: bands across borders %+.3f %%\n", axis, 100.0 * (counts[0] / expected - 1.0));
     for (int band = 0; band < kBands; ++band) {
-      EXPECT_NEAR(counts[static_cast<std::size_t>(band)] / expected, 1.0, 0.01) << "axis " << axis << ", band " << band;
+      EXPECT_NEAR(counts[static_cast<std::size_t>(band)] / expected, 1.0, 0.01)
+          << "axis " << axis << ", band " << band;
     }
   }
 }
@@ -67,7 +70,8 @@ class NearestRoots {
     for (int y = std::max(row - 1, 0); y <= std::min(row + 1, kSide - 1); ++y) {
       for (int x = std::max(column - 1, 0); x <= std::min(column + 1, kSide - 1); ++x) {
         for (const std::size_t n : buckets_[static_cast<std::size_t>(y * kSide + x)]) {
-          if (n != root) nearest_m = std::min(nearest_m, std::hypot(roots_m_[n].x - p.x, roots_m_[n].y - p.y));
+          if (n != root)
+            nearest_m = std::min(nearest_m, std::hypot(roots_m_[n].x - p.x, roots_m_[n].y - p.y));
         }
       }
     }
@@ -78,15 +82,16 @@ class NearestRoots {
   static constexpr double kBucketM = 0.2;
   static constexpr int kSide = 401;
   static std::size_t bucket_of(glm::dvec2 p) {
-    return static_cast<std::size_t>(static_cast<int>(p.y / kBucketM) * kSide + static_cast<int>(p.x / kBucketM));
+    return static_cast<std::size_t>(static_cast<int>(p.y / kBucketM) * kSide +
+                                    static_cast<int>(p.x / kBucketM));
   }
   const std::vector<glm::dvec2>& roots_m_;
   std::vector<std::vector<std::size_t>> buckets_;
 };
 
-/// Distance to the nearest neighbour, on average over blades near a border and over those far from any. For blades at
-/// random it is 0.5/√density; a sequence is somewhat more even than that inside, at random across. 10 % is what the
-/// two differ by at most if borders neither crowd nor part the blades.
+/// Distance to the nearest neighbour, on average over blades near a border and over those far from any. For
+/// blades at random it is 0.5/√density; a sequence is somewhat more even than that inside, at random across.
+/// 10 % is what the two differ by at most if borders neither crowd nor part the blades.
 TEST(SeamsTest, NeighboursAcrossBordersStandAsFarApart) {
   const std::vector<glm::dvec2> roots_m = roots_of_field(9);
   const NearestRoots nearest(roots_m);
@@ -102,7 +107,8 @@ TEST(SeamsTest, NeighboursAcrossBordersStandAsFarApart) {
   const double at_random_m = 0.5 / std::sqrt(kDensityPerM2);
   const double near_m = near_sum / near_count;
   const double far_m = far_sum / far_count;
-  std::printf("nearest neighbour: %.3f at borders, %.3f inside (1 = at random)\n", near_m / at_random_m, far_m / at_random_m);
+  std::printf("nearest neighbour: %.3f at borders, %.3f inside (1 = at random)\n", near_m / at_random_m,
+              far_m / at_random_m);
   EXPECT_GT(near_count, 10000.0);
   EXPECT_NEAR(near_m / far_m, 1.0, 0.1);
 }

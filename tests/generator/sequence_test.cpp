@@ -12,7 +12,8 @@
 namespace prairie {
 namespace {
 
-/// Sobol's second dimension bit by bit: direction numbers of the polynomial x + 1, v_1 = ½, v_k = v_{k−1} ⊕ (v_{k−1} ≫ 1).
+/// Sobol's second dimension bit by bit: direction numbers of the polynomial x + 1, v_1 = ½, v_k = v_{k−1} ⊕
+/// (v_{k−1} ≫ 1).
 std::uint32_t sobol_second(std::uint32_t index) {
   std::uint32_t direction = 0x80000000u;
   std::uint32_t point = 0;
@@ -55,13 +56,14 @@ TEST(SequenceTest, ScramblePermutesEachDigitByThoseBelow) {
     const auto word = static_cast<std::uint32_t>(random());
     const int bit = n % 32;
     const std::uint32_t other = word ^ (1u << bit);
-    const std::uint32_t difference = Kernels{}.permute_upwards(word, seed) ^ Kernels{}.permute_upwards(other, seed);
+    const std::uint32_t difference =
+        Kernels{}.permute_upwards(word, seed) ^ Kernels {}.permute_upwards(other, seed);
     ASSERT_EQ(std::countr_zero(difference), bit) << "a digit stirred others below it, or itself not at all";
   }
 }
 
-/// Every prefix of 2^m points, and every aligned block of as many, has one point in each of the 2^m boxes of every shape
-/// 2^−a × 2^−(m−a): a (0, 2)-sequence in base 2.
+/// Every prefix of 2^m points, and every aligned block of as many, has one point in each of the 2^m boxes of
+/// every shape 2^−a × 2^−(m−a): a (0, 2)-sequence in base 2.
 TEST(SequenceTest, EveryElementaryIntervalHoldsOnePoint) {
   std::mt19937 random(4);
   for (int seeds = 0; seeds < 40; ++seeds) {
@@ -84,8 +86,8 @@ TEST(SequenceTest, EveryElementaryIntervalHoldsOnePoint) {
   }
 }
 
-/// Any single point falls anywhere alike: over seeds, each of 4 × 4 squares holds point k with probability 1/16. 64 000
-/// seeds give a standard deviation of 61 on 4000; seven times that is beyond chance.
+/// Any single point falls anywhere alike: over seeds, each of 4 × 4 squares holds point k with probability
+/// 1/16. 64 000 seeds give a standard deviation of 61 on 4000; seven times that is beyond chance.
 TEST(SequenceTest, EachPointIsUniformOverSeeds) {
   constexpr int kSeeds = 64000;
   for (std::uint32_t k : {0u, 1u, 2u, 3u, 4u, 7u, 76u, 1000u}) {
@@ -93,7 +95,8 @@ TEST(SequenceTest, EachPointIsUniformOverSeeds) {
     std::array<int, 16> hits{};
     for (int n = 0; n < kSeeds; ++n) {
       const glm::vec2 point = Kernels{}.sequence_point(k, static_cast<std::uint32_t>(random()));
-      ++hits[static_cast<std::size_t>(4 * static_cast<int>(4.0f * point.y) + static_cast<int>(4.0f * point.x))];
+      ++hits[static_cast<std::size_t>(4 * static_cast<int>(4.0f * point.y) +
+                                      static_cast<int>(4.0f * point.x))];
     }
     for (std::size_t square = 0; square < hits.size(); ++square) {
       EXPECT_NEAR(hits[square], kSeeds / 16, 430) << "point " << k << ", square " << square;

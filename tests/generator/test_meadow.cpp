@@ -40,8 +40,7 @@ NodeGrid grid_from(const GridFrame& frame, const std::function<double(glm::dvec2
   std::vector<float> values;
   for (int row = 0; row < frame.rows; ++row) {
     for (int column = 0; column < frame.columns; ++column) {
-      values.push_back(
-          static_cast<float>(value(frame.origin_m + frame.spacing_m * glm::dvec2(column, row))));
+      values.push_back(static_cast<float>(value(frame.origin_m + frame.spacing_m * glm::dvec2(column, row))));
     }
   }
   return NodeGrid(frame, 1, std::move(values));

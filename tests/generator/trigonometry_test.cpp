@@ -1,4 +1,5 @@
-// The kernels' own sine and cosine: absolute error below 4e-7 for |x| ≤ 2π, as shaders/kernels/trigonometry.glsl says.
+// The kernels' own sine and cosine: absolute error below 4e-7 for |x| ≤ 2π, as
+// shaders/kernels/trigonometry.glsl says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +16,8 @@ TEST(TrigonometryTest, SineAndCosineAreWithinTheStatedError) {
     const float x = static_cast<float>(n) * 2e-6f;
     const double exact = static_cast<double>(x);
     sine_error = std::max(sine_error, std::abs(static_cast<double>(Kernels{}.sine(x)) - std::sin(exact)));
-    cosine_error = std::max(cosine_error, std::abs(static_cast<double>(Kernels{}.cosine(x)) - std::cos(exact)));
+    cosine_error =
+        std::max(cosine_error, std::abs(static_cast<double>(Kernels{}.cosine(x)) - std::cos(exact)));
   }
   std::printf("sine within %.2g, cosine within %.2g for |x| <= 2 pi\n", sine_error, cosine_error);
   EXPECT_LE(sine_error, 4e-7);
