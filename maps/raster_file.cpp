@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "maps/error.h"
+#include "maps/exr_header.h"
+#include "maps/jpeg2000_header.h"
 #include "maps/quiet_stderr.h"
 
 namespace prairie {
@@ -21,6 +23,10 @@ constexpr std::uint64_t kChunkBytes = std::uint64_t{16} << 20;
 // lies.
 constexpr std::uint64_t kMaxExpansion = 1100;
 constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
+
+bool is_bomb(std::uint64_t claimed_bytes, std::uint64_t file_bytes) {
+  return claimed_bytes > kHarmlessBytes && claimed_bytes / kMaxExpansion > file_bytes;
+}
 
 constexpr const char* kWholeImage = "a complete image of a format that OpenImageIO reads";
 
@@ -40,6 +46,12 @@ bool succeeds(const Call& call, std::string* error) {
 
 RasterFile::RasterFile(const std::filesystem::path& path, const std::string& field, std::uint64_t file_bytes)
     : path_(path), field_(field) {
+  if (!exr_header_fits(path, file_bytes)) fail("a header that claims more than the file holds", kWholeImage);
+  const std::uint64_t claimed_bytes = jpeg2000_claimed_bytes(path);
+  if (is_bomb(claimed_bytes, file_bytes)) {
+    fail(fmt::format("a claim of {} MB of pixels in {} bytes", claimed_bytes >> 20, file_bytes),
+         "a file that can hold the pixels it claims");
+  }
   OIIO::ImageSpec config;
   // Data are not colours behind a veil: multiplying them by alpha, as the default does, loses them.
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -81,7 +93,7 @@ void RasterFile::check_claims(std::uint64_t file_bytes) const {
   if (pixel_bytes == 0) fail("samples of an unknown type", "8-, 16- or 32-bit integers, half or float");
   const std::uint64_t claimed_bytes =
       pixel_bytes * static_cast<std::uint64_t>(s.width) * static_cast<std::uint64_t>(s.height);
-  if (claimed_bytes > kHarmlessBytes && claimed_bytes / kMaxExpansion > file_bytes) {
+  if (is_bomb(claimed_bytes, file_bytes)) {
     fail(fmt::format("a claim of {} × {} pixels ({} MB) in {} bytes", s.width, s.height, claimed_bytes >> 20,
                      file_bytes),
          "a file that can hold the pixels it claims");

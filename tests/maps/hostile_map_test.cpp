@@ -4,8 +4,10 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
+#include <string_view>
 
 #include "maps/error.h"
 #include "maps/map_file.h"
@@ -98,6 +100,32 @@ TEST_F(HostileMap, FilesThatBreakOff) {
       expect_refused(folder_ / name);
     }
   }
+}
+
+TEST_F(HostileMap, AnExrAttributeLargerThanItsFile) {
+  testing::write_image<float>(folder_ / "a.exr", 4, 4, 1, TypeDesc::FLOAT, std::vector<float>(16, 1.0f));
+  std::vector<std::byte> bytes = testing::read_bytes(folder_ / "a.exr");
+  constexpr std::string_view kDate("capDate\0string\0", 15);
+  const auto found = std::search(bytes.begin(), bytes.end(), kDate.begin(), kDate.end(),
+                                 [](std::byte a, char b) { return a == static_cast<std::byte>(b); });
+  ASSERT_NE(found, bytes.end());
+  const std::size_t size = static_cast<std::size_t>(found - bytes.begin()) + kDate.size();
+  for (const std::byte high : {std::byte{0x7f}, std::byte{0xff}}) {
+    for (std::size_t k = 0; k < 4; ++k) bytes[size + k] = k == 3 ? high : std::byte{0xe0};
+    testing::write_bytes(folder_ / "a.exr", bytes);
+    expect_refused(folder_ / "a.exr");
+  }
+}
+
+TEST_F(HostileMap, AJpeg2000ThatClaimsTooMuch) {
+  // SOC, SIZ: 60000 × 60000 pixels of one component in one tile; then nothing of what must follow.
+  std::string bytes("\xff\x4f\xff\x51\0\x29\0\0", 8);
+  for (int pair = 0; pair < 2; ++pair) {
+    bytes += std::string("\0\0\xea\x60\0\0\xea\x60", 8) + std::string(8, '\0');
+  }
+  bytes += std::string("\0\x01\x07\x01\x01", 5) + std::string(400, '\0');
+  testing::write_text(folder_ / "a.j2k", bytes);
+  expect_refused(folder_ / "a.j2k");
 }
 
 TEST_F(HostileMap, NothingButNodata) {
