@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/prairie)
 
 get_property(rooms GLOBAL PROPERTY PRAIRIE_ROOMS)
+list(REMOVE_ITEM rooms bench)  # part of the program alone
 list(TRANSFORM rooms PREPEND prairie_ OUTPUT_VARIABLE room_targets)
 install(TARGETS prairie RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${room_targets} prairie_kernels EXPORT prairieTargets
