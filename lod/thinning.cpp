@@ -1,6 +1,7 @@
 #include "lod/thinning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -17,29 +18,36 @@ struct NormalCone {
   double spread;  // |n − axis| at most
 };
 
-// Normals of the biquadratic ground: its slopes are greatest at the lattice's points or between neighbours,
-// which differences of half a cell bound.
-NormalCone normals_of(const CellView& cell) {
-  const double step_m = 0.5 * cell.side_m;
-  const auto height = [&](int row, int column) {
-    return static_cast<double>(cell.heights_m[static_cast<std::size_t>(3 * row + column)]);
+// The Bézier points of the biquadratic ground through 3 × 3 heights. The surface lies between the least and the
+// greatest of them, its slopes between the least and the greatest differences of neighbours.
+std::array<double, 9> bezier_points(std::span<const float> heights_m) {
+  std::array<double, 9> points;
+  std::copy(heights_m.begin(), heights_m.end(), points.begin());
+  const auto bend = [&](std::size_t first, std::size_t step) {
+    points[first + step] = 2.0 * points[first + step] - 0.5 * (points[first] + points[first + 2 * step]);
   };
+  for (std::size_t row = 0; row < 3; ++row) bend(3 * row, 1);
+  for (std::size_t column = 0; column < 3; ++column) bend(column, 3);
+  return points;
+}
+
+NormalCone normals_of(const CellView& cell) {
+  const std::array<double, 9> points = bezier_points(cell.heights_m);
+  const double step_m = 0.5 * cell.side_m;
   double low_x = 1e30, high_x = -1e30, low_y = 1e30, high_y = -1e30;
-  for (int line = 0; line < 3; ++line) {
-    for (int half = 0; half < 2; ++half) {
-      const double x = (height(line, half + 1) - height(line, half)) / step_m;
-      const double y = (height(half + 1, line) - height(half, line)) / step_m;
+  for (std::size_t line = 0; line < 3; ++line) {
+    for (std::size_t half = 0; half < 2; ++half) {
+      const double x = (points[3 * line + half + 1] - points[3 * line + half]) / step_m;
+      const double y = (points[3 * (half + 1) + line] - points[3 * half + line]) / step_m;
       low_x = std::min(low_x, x);
       high_x = std::max(high_x, x);
       low_y = std::min(low_y, y);
       high_y = std::max(high_y, y);
     }
   }
-  // A parabola's end slopes lie half the difference of its chords' slopes beyond them.
-  const double spread_x = high_x - low_x;
-  const double spread_y = high_y - low_y;
+  // Normals differ by no more than their slopes do.
   const glm::dvec3 axis = glm::normalize(glm::dvec3(-0.5 * (low_x + high_x), -0.5 * (low_y + high_y), 1.0));
-  return {axis, std::hypot(spread_x, spread_y)};
+  return {axis, 0.5 * std::hypot(high_x - low_x, high_y - low_y)};
 }
 
 }  // namespace
@@ -74,6 +82,12 @@ LodCoefficients all_blades() {
   lod.fade_end_m = 2e9f;
   lod.widest_pixels = 2.0f;
   return lod;
+}
+
+HeightRange ground_range(std::span<const float> heights_m) {
+  const std::array<double, 9> points = bezier_points(heights_m);
+  const auto [low, high] = std::minmax_element(points.begin(), points.end());
+  return {static_cast<float>(*low), static_cast<float>(*high)};
 }
 
 double keep_bound(const LodCoefficients& lod, const Camera& camera, const CellView& cell) {

@@ -8,6 +8,7 @@
 #include "lod/camera.h"
 #include "lod/frustum.h"
 #include "lod/quality.h"
+#include "maps/height_range.h"
 #include "shaders/shared/layouts.h"
 
 namespace prairie {
@@ -18,10 +19,14 @@ LodCoefficients lod_coefficients(Quality quality, double blade_distance_m);
 /// Coefficients under which every blade is drawn as planted, at any distance.
 LodCoefficients all_blades();
 
+/// Lowest and highest height, to a rounding error, that the ground of a cell can have: of the biquadratic surface through
+/// 3 × 3 heights (shaders/kernels/cell_ground.glsl).
+HeightRange ground_range(std::span<const float> heights_m);
+
 /// The ground of a cell as seen from an eye.
 struct CellView {
   Box box;                           // of the cell's ground
-  std::span<const float> heights_m;  // 3 × 3, as in PlantedCell::ground_table
+  std::span<const float> heights_m;  // 3 × 3, row by row from south
   double side_m;
 };
 
