@@ -81,9 +81,18 @@ DensityPatches density_patches(const Meadow& meadow, const CellPlace& place, int
   return density;
 }
 
+void append_texel(std::vector<float>& tables, double x, double y, double z, double w) {
+  for (const double value : {x, y, z, w}) tables.push_back(static_cast<float>(value));
+}
+
+std::uint32_t next_texel(const std::vector<float>& tables) {
+  return static_cast<std::uint32_t>(tables.size() / 4);
+}
+
 // Layout: shaders/kernels/warp.glsl.
 void append_density_table(const DensityPatches& density, std::vector<float>& tables) {
   const int m = density.patches;
+  // edge 0: a row's lower, 1: its upper one
   const auto edge_sum = [&](int row, int edge, int columns) {
     double sum = 0.0;
     for (int c = 0; c < columns; ++c) {
@@ -91,33 +100,37 @@ void append_density_table(const DensityPatches& density, std::vector<float>& tab
     }
     return sum;
   };
+  const auto node = [&](int row, int column) {
+    return static_cast<double>(density.nodes[density.corner(row, column)]);
+  };
+  double total = 0.0;
+  for (int row = 0; row < m; ++row) total += 0.5 * (edge_sum(row, 0, m) + edge_sum(row, 1, m));
   double below = 0.0;
   for (int row = 0; row < m; ++row) {
     const double lower = edge_sum(row, 0, m);
     const double upper = edge_sum(row, 1, m);
-    tables.push_back(static_cast<float>(below));
-    tables.push_back(static_cast<float>(lower));
-    tables.push_back(static_cast<float>(upper));
+    append_texel(tables, below, lower, upper, total);
     below += 0.5 * (lower + upper);
   }
   for (int row = 0; row < m; ++row) {
-    for (int column = 0; column < m; ++column) {
-      tables.push_back(static_cast<float>(edge_sum(row, 0, column)));
-      tables.push_back(static_cast<float>(edge_sum(row, 1, column)));
+    for (int column = 0; column <= m; ++column) {
+      append_texel(tables, edge_sum(row, 0, column), edge_sum(row, 1, column), node(row, column),
+                   node(row + 1, column));
     }
   }
-  tables.insert(tables.end(), density.nodes, density.nodes + (m + 1) * (m + 1));
 }
 
+// Layout: shaders/kernels/cell_ground.glsl.
 void append_ground_table(const Meadow& meadow, const CellPlace& place, double base_m,
                          std::vector<float>& tables) {
   float heights_m[9];
   meadow.ground.sample_lattice(place.origin_m, 0.5 * place.side_m, 3, 3, heights_m);
-  for (const float height_m : heights_m) {
-    tables.push_back(static_cast<float>(static_cast<double>(height_m) - base_m));
-  }
+  const auto height = [&](int n) { return static_cast<double>(heights_m[n]) - base_m; };
+  for (int row = 0; row < 3; ++row)
+    append_texel(tables, height(3 * row), height(3 * row + 1), height(3 * row + 2), 0.0);
 }
 
+// Layout: shaders/kernels/features.glsl.
 void append_feature_table(const Meadow& meadow, const CellPlace& place, int patches,
                           std::vector<float>& tables) {
   constexpr std::size_t kNodes = (kMaxPatches + 1) * (kMaxPatches + 1);
@@ -134,10 +147,10 @@ void append_feature_table(const Meadow& meadow, const CellPlace& place, int patc
   } else {
     std::fill(colors, colors + 3 * nodes, 1.0f);
   }
-  const auto factor = [](float value) { return std::isfinite(value) ? value : 1.0f; };
+  const auto factor = [](float value) { return std::isfinite(value) ? static_cast<double>(value) : 1.0; };
   for (std::size_t n = 0; n < nodes; ++n) {
-    tables.insert(tables.end(), {factor(lengths[n]), factor(bends[n]), factor(colors[3 * n]),
-                                 factor(colors[3 * n + 1]), factor(colors[3 * n + 2])});
+    append_texel(tables, factor(lengths[n]), factor(bends[n]), 0.0, 0.0);
+    append_texel(tables, factor(colors[3 * n]), factor(colors[3 * n + 1]), factor(colors[3 * n + 2]), 0.0);
   }
 }
 
@@ -185,10 +198,10 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
     if (planted == 0) continue;
 
     if (ground_table == kNoTable) {
-      ground_table = static_cast<std::uint32_t>(out.tables.size());
+      ground_table = next_texel(out.tables);
       append_ground_table(meadow, place, tile_base_m(meadow, tile), out.tables);
       if (lattice.feature_patches > 0) {
-        feature_table = static_cast<std::uint32_t>(out.tables.size());
+        feature_table = next_texel(out.tables);
         append_feature_table(meadow, place, lattice.feature_patches, out.tables);
       }
     }
@@ -207,7 +220,7 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
     planted_cell.clump_lattice = glm::ivec2(clump_floor);
     planted_cell.clump_offset = glm::vec2(clumps - clump_floor);
     planted_cell.ground_table = ground_table;
-    planted_cell.density_table = static_cast<std::uint32_t>(out.tables.size());
+    planted_cell.density_table = next_texel(out.tables);
     planted_cell.clump_seed = static_cast<std::uint32_t>(mix_bits(meadow.seed) >> 32);
     planted_cell.feature_table = feature_table;
     planted_cell.feature_patches = static_cast<std::uint32_t>(lattice.feature_patches);
@@ -223,6 +236,14 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
     planted_cell.other_density_per_m2 =
         static_cast<float>(density_sum - static_cast<double>(planted_cell.other_density_per_m2));
   }
+}
+
+std::array<float, 9> ground_heights_m(const CellTables& tables, const PlantedCell& cell) {
+  std::array<float, 9> heights_m;
+  for (std::size_t n = 0; n < heights_m.size(); ++n) {
+    heights_m[n] = tables.tables[4 * (cell.ground_table + n / 3) + n % 3];
+  }
+  return heights_m;
 }
 
 std::vector<double> expected_cell_counts(const Meadow& meadow, const PlantingLattice& lattice, TileId tile,

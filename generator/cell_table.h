@@ -2,6 +2,7 @@
 // tables are made on the CPU alone, in double, so that both sides plant from the same bits.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace prairie {
 /// What `PlantedCell::feature_table` holds where no feature map varies.
 inline constexpr std::uint32_t kNoTable = 0xffffffffu;
 
-/// Prepared cells; `PlantedCell`'s table words index `tables`.
+/// Prepared cells; `PlantedCell`'s table texels are groups of four in `tables`.
 struct CellTables {
   std::vector<PlantedCell> cells;
   std::vector<float> tables;
@@ -35,6 +36,9 @@ double tile_base_m(const Meadow& meadow, TileId tile);
 /// Appends the cell of every species that has blades there (N ≥ 1).
 void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell,
                  CellTables& out);
+
+/// The 3 × 3 heights of a cell's ground table, row by row from south, above the tile's base.
+std::array<float, 9> ground_heights_m(const CellTables& tables, const PlantedCell& cell);
 
 /// Integral of the density over the cell, per species: the expectation of N.
 std::vector<double> expected_cell_counts(const Meadow& meadow, const PlantingLattice& lattice, TileId tile,

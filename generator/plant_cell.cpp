@@ -147,10 +147,9 @@ void plant_cell(const PlantedCell& cell, const SpeciesParams& species, std::span
         std::min<std::uint32_t>(kBlock, static_cast<std::uint32_t>(out.size()) - first);
     for (std::uint32_t n = 0; n < count; ++n) {
       const glm::vec2 local_m(roots.x_m[n], roots.y_m[n]);
-      out[first + n] = kernels.grow_blade(
-          cell, species, first + n, local_m, traits_at(traits, n), clump_at(clumps, n),
-          kernels.features_in_cell(cell.feature_table, cell.feature_patches, cell.side_m, local_m),
-          roots.ground_m[n]);
+      out[first + n] =
+          kernels.grow_blade(cell, species, first + n, local_m, traits_at(traits, n), clump_at(clumps, n),
+                             kernels.features_of(cell, local_m), roots.ground_m[n]);
     }
   }
 }

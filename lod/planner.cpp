@@ -98,6 +98,18 @@ std::size_t segment_class(double blade_pixels) {
   return n;
 }
 
+// The largest value of a map, 1 at least. Row by row: the map may be larger than memory.
+double largest_factor(const NodeGrid& map) {
+  if (map.is_uniform()) return std::max(1.0, static_cast<double>(map.sample({0.0, 0.0})));
+  float largest = 1.0f;
+  std::vector<float> row(static_cast<std::size_t>(map.frame().columns));
+  for (int j = 0; j < map.frame().rows; ++j) {
+    map.read_block({0, j, map.frame().columns, 1}, row);
+    for (const float value : row) largest = std::max(largest, value);  // unchanged by NaN
+  }
+  return static_cast<double>(largest);
+}
+
 double tallest_blade_m(const Meadow& meadow) {
   double tallest_m = 0.0;
   for (const PlantedSpecies& species : meadow.species) {
@@ -105,7 +117,7 @@ double tallest_blade_m(const Meadow& meadow) {
     tallest_m =
         std::max(tallest_m, static_cast<double>(params.height_m * (1.0f + 1.3f * params.height_spread)));
   }
-  return tallest_m;
+  return tallest_m * largest_factor(meadow.blade_height);
 }
 
 }  // namespace
@@ -138,14 +150,13 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
     const glm::dvec2 tile_m = tile_origin_m(*meadow_, seen.tile);
     const double base_m = tile_base_m(*meadow_, seen.tile);
     const glm::dvec2 min_m = tile_m + glm::dvec2(cell_offset_m(*meadow_, seen.cell));
-    const std::span<const float> heights_m =
-        std::span(tables.tables).subspan(tables.cells.front().ground_table, 9);
-    const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
-    const Box ground{glm::dvec3(min_m, base_m + static_cast<double>(*low)),
-                     glm::dvec3(min_m + cell_m, base_m + static_cast<double>(*high))};
+    const std::array<float, 9> heights_m = ground_heights_m(tables, tables.cells.front());
+    const HeightRange range = ground_range(heights_m);
+    const Box ground{glm::dvec3(min_m, base_m + static_cast<double>(range.min_m)),
+                     glm::dvec3(min_m + cell_m, base_m + static_cast<double>(range.max_m))};
     const double keep = keep_bound(plan.lod, camera, {ground, heights_m, cell_m});
     const double pixel_m = camera.pixel_m_at(std::max(seen.distance_m, 0.1));
-    const auto words = static_cast<std::uint32_t>(plan.tables.size());
+    const auto texels = static_cast<std::uint32_t>(plan.tables.size() / 4);
     bool is_drawn = false;
     for (const PlantedCell& planted : tables.cells) {
       plan.blades_planted_in_view += planted.planted;
@@ -154,9 +165,9 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
       is_drawn = true;
       DrawnCell cell{};
       cell.planted = planted;
-      cell.planted.ground_table += words;
-      cell.planted.density_table += words;
-      if (planted.feature_table != kNoTable) cell.planted.feature_table += words;
+      cell.planted.ground_table += texels;
+      cell.planted.density_table += texels;
+      if (planted.feature_table != kNoTable) cell.planted.feature_table += texels;
       cell.eye_from_tile_m = glm::vec3(glm::dvec3(tile_m, base_m) - camera.eye_m);
       cell.drawn = drawn;
       const SpeciesParams& params = meadow_->species[planted.species].species.params;

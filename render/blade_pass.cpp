@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/cell_table.h"
 #include "render/shader_program.h"
 
 namespace prairie {
@@ -21,9 +22,11 @@ std::uint32_t triangles_of(std::uint32_t segments) {
 
 BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder)
     : world_(&world),
-      pose_program_(make_program(shader_folder, {"pass/pose.comp"})),
+      pose_program_(make_program(shader_folder, {"pass/pose.comp"},
+                                 planting_variant(PlantingLattice(world.meadow()).feature_patches > 0))),
       draw_program_(make_program(shader_folder, {"pass/blade.vert", "pass/blade.frag"})),
-      vertex_array_(make_vertex_array()) {
+      vertex_array_(make_vertex_array()),
+      posed_texels_(make_texture(GL_TEXTURE_BUFFER)) {
   for (const PlantedSpecies& species : world_->meadow().species) species_.push_back(species.species.params);
 }
 
@@ -52,6 +55,10 @@ void BladePass::draw(FramePlan& plan) {
     const GLuint indices = indices_for(group.segments);
     for (const CellRun& run : runs_of(cells, kStorageLimitBytes / sizeof(PosedBlade))) {
       batch_.dispatch(pose_program_.get(), cells.subspan(run.first, run.count), sizeof(PosedBlade), posed_);
+      glTextureBuffer(posed_texels_.get(), GL_RGBA32UI, posed_.get());
+      glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+      glBindTextureUnit(2, batch_.species_texture());
+      glBindTextureUnit(4, posed_texels_.get());
       glUseProgram(draw_program_.get());
       glProgramUniform1ui(draw_program_.get(), 0, group.segments);
       glBindVertexArray(vertex_array_.get());

@@ -31,6 +31,7 @@ class BladePass {
   GlVertexArray vertex_array_;
   ComputeBatch batch_;
   GlBuffer posed_;
+  GlTexture posed_texels_;  // of the same memory
   std::vector<SpeciesParams> species_;
   std::map<std::uint32_t, GlBuffer> indices_;  // by segments
   std::uint64_t triangles_drawn_ = 0;

@@ -10,6 +10,10 @@ constexpr std::uint32_t kGroupSize = 64;  // local_size_x of shaders/pass/planti
 
 }  // namespace
 
+std::string_view planting_variant(bool has_features) {
+  return has_features ? "FEATURE_MAPS" : "";
+}
+
 std::vector<CellRun> runs_of(std::span<const DrawnCell> cells, std::size_t max_blades) {
   std::vector<CellRun> runs;
   for (std::size_t n = 0; n < cells.size(); ++n) {
@@ -45,8 +49,9 @@ void ComputeBatch::dispatch(GLuint program, std::span<DrawnCell> run, std::size_
   output.reserve(blades * element_bytes);
 
   glUseProgram(program);
-  const GLuint buffers[] = {cells_.get(), tables_.get(), species_.get(), group_cells_.get(), output.get()};
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, 5, buffers);
+  const GLuint textures[] = {cells_.texture(), tables_.texture(), species_.texture(), group_cells_.texture()};
+  glBindTextures(0, 4, textures);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, output.get());
   glProgramUniform1ui(program, 0, blades);
   glDispatchCompute((blades + kGroupSize - 1) / kGroupSize, 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "render/gl_objects.h"
@@ -24,6 +25,9 @@ struct CellRun {
 /// Cuts cells into runs of at most `max_blades` blades each.
 std::vector<CellRun> runs_of(std::span<const DrawnCell> cells, std::size_t max_blades);
 
+/// The preprocessor name with which planting shaders are made where feature maps vary; empty elsewhere.
+std::string_view planting_variant(bool has_features);
+
 class ComputeBatch {
  public:
   /// Uploads what all runs share.
@@ -31,12 +35,13 @@ class ComputeBatch {
   /// Numbers the run's blades (`first_blade`), uploads its cells and runs `program` over them; blade n of the
   /// run goes to element n of `output`, which has room for `element_bytes` each.
   void dispatch(GLuint program, std::span<DrawnCell> run, std::size_t element_bytes, GlBuffer& output);
+  GLuint species_texture() const { return species_.texture(); }
 
  private:
-  GlBuffer cells_;
-  GlBuffer tables_;
-  GlBuffer species_;
-  GlBuffer group_cells_;
+  TexelBuffer cells_{GL_RGBA32UI};
+  TexelBuffer tables_{GL_RGBA32F};
+  TexelBuffer species_{GL_RGBA32F};
+  TexelBuffer group_cells_{GL_R32UI};
   std::vector<std::uint32_t> first_cell_of_group_;
 };
 

@@ -1,13 +1,14 @@
 #include "render/gpu_planting.h"
 
+#include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "render/shader_program.h"
 
 namespace prairie {
 
-GpuPlanting::GpuPlanting(const std::filesystem::path& shader_folder)
-    : program_(make_program(shader_folder, {"pass/plant.comp"})) {}
+GpuPlanting::GpuPlanting(std::filesystem::path shader_folder) : shader_folder_(std::move(shader_folder)) {}
 
 void GpuPlanting::prepare(const CellTables& tables, std::span<const SpeciesParams> species) {
   cells_.clear();
@@ -21,6 +22,10 @@ void GpuPlanting::prepare(const CellTables& tables, std::span<const SpeciesParam
   }
   assert(blade_count_ * sizeof(Blade) <= kStorageLimitBytes);
   batch_.set_tables(tables.tables, species);
+  const bool has_features =
+      std::any_of(tables.cells.begin(), tables.cells.end(),
+                  [](const PlantedCell& cell) { return cell.feature_table != kNoTable; });
+  program_ = make_program(shader_folder_, {"pass/plant.comp"}, planting_variant(has_features));
 }
 
 void GpuPlanting::plant() {

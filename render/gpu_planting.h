@@ -12,7 +12,7 @@ namespace prairie {
 
 class GpuPlanting {
  public:
-  explicit GpuPlanting(const std::filesystem::path& shader_folder);
+  explicit GpuPlanting(std::filesystem::path shader_folder);
 
   /// Uploads prepared cells; all their blades (together at most 128 MiB) will be planted.
   void prepare(const CellTables& tables, std::span<const SpeciesParams> species);
@@ -22,6 +22,7 @@ class GpuPlanting {
   std::vector<Blade> read_back() const;
 
  private:
+  std::filesystem::path shader_folder_;
   GlProgram program_;
   ComputeBatch batch_;
   std::vector<DrawnCell> cells_;

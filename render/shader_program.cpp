@@ -45,7 +45,8 @@ std::string info_log(GLuint object, decltype(glGetShaderiv) get_parameter,
   get_parameter(object, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length > 0 ? length : 1), '\0');
   get_log(object, length, nullptr, log.data());
-  std::replace_if(log.begin(), log.end(), [](char c) { return c == '\n' || c == '\0'; }, ' ');
+  std::replace_if(
+      log.begin(), log.end(), [](char c) { return c == '\n' || c == '\0'; }, ' ');
   return log;
 }
 
@@ -58,10 +59,13 @@ std::string shader_source(const std::filesystem::path& folder, const std::string
   return out.str();
 }
 
-GlProgram make_program(const std::filesystem::path& folder, std::initializer_list<const char*> names) {
+GlProgram make_program(const std::filesystem::path& folder, std::initializer_list<const char*> names,
+                       std::string_view define) {
   GlProgram program(glCreateProgram());
   for (const char* name : names) {
-    const std::string source = shader_source(folder, name);
+    std::string source = shader_source(folder, name);
+    // The first line is #version, which must stay first.
+    if (!define.empty()) source.insert(source.find('\n') + 1, "#define " + std::string(define) + "\n");
     const char* text = source.c_str();
     const GLuint shader = glCreateShader(stage_of(name));
     glShaderSource(shader, 1, &text, nullptr);

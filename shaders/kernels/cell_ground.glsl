@@ -1,5 +1,5 @@
-// The ground inside a cell: the biquadratic surface through 3 × 3 heights (generator/cell_table.h), relative to the
-// tile's base. It meets its neighbours' without a step.
+// The ground inside a cell: the biquadratic surface through 3 × 3 heights (generator/cell_table.h; a texel a row,
+// from south), relative to the tile's base. It meets its neighbours' without a step.
 
 struct GroundPoint {
   float height_m;
@@ -17,15 +17,12 @@ GroundPoint ground_in_cell(uint table, float side_m, vec2 local_m) {
   precise float height = 0.0f;
   precise float along_x = 0.0f;
   precise float along_y = 0.0f;
-  for (int row = 0; row < 3; ++row) {
-    uint first = table + 3u * uint(row);
-    float h0 = table_value(first);
-    float h1 = table_value(first + 1u);
-    float h2 = table_value(first + 2u);
-    float wy = row == 0 ? by.x : (row == 1 ? by.y : by.z);
-    float vy = row == 0 ? dy.x : (row == 1 ? dy.y : dy.z);
-    precise float value = bx.x * h0 + bx.y * h1 + bx.z * h2;
-    precise float slope = dx.x * h0 + dx.y * h1 + dx.z * h2;
+  for (uint row = 0u; row < 3u; ++row) {
+    vec4 h = table_texel(table + row);
+    float wy = row == 0u ? by.x : (row == 1u ? by.y : by.z);
+    float vy = row == 0u ? dy.x : (row == 1u ? dy.y : dy.z);
+    precise float value = bx.x * h.x + bx.y * h.y + bx.z * h.z;
+    precise float slope = dx.x * h.x + dx.y * h.y + dx.z * h.z;
     height += wy * value;
     along_x += wy * slope;
     along_y += vy * value;

@@ -19,18 +19,20 @@ struct ClumpSum {
 };
 
 ClumpSum add_clump(ClumpSum sum, ivec2 first, ivec2 corner, vec2 f, uint seed) {
-  uvec3 h = hash_uvec3(uvec3(uint(first.x + corner.x), uint(first.y + corner.y), seed));
-  precise float away_x = f.x - (float(corner.x) - 0.3f + 0.6f * unit_from_high16(h.x));
-  precise float away_y = f.y - (float(corner.y) - 0.3f + 0.6f * unit_from_low16(h.x));
+  uint where = hash_u32(uint(first.x + corner.x) * 0x9e3779b9u + uint(first.y + corner.y) * 0x85ebca6bu + seed);
+  uint what = where * 0xcc9e2d51u;
+  what ^= what >> 15u;
+  precise float away_x = f.x - (float(corner.x) - 0.3f + 0.6f * unit_from_high16(where));
+  precise float away_y = f.y - (float(corner.y) - 0.3f + 0.6f * unit_from_low16(where));
   float tent_x = smooth_ramp(corner.x == 1 ? f.x : 1.0f - f.x);
   float tent_y = smooth_ramp(corner.y == 1 ? f.y : 1.0f - f.y);
   precise float closeness = 1.0f / (away_x * away_x + away_y * away_y + 0.03f);
   precise float weight = tent_x * tent_y * closeness * closeness * closeness;
-  precise float height = sum.clump.height + weight * (2.0f * unit_from_high16(h.y) - 1.0f);
-  precise float hue = sum.clump.hue + weight * (2.0f * unit_from_low16(h.y) - 1.0f);
-  precise float dryness = sum.clump.dryness + weight * (2.0f * unit_from_high16(h.x ^ h.z) - 1.0f);
-  precise float lean_x = sum.clump.lean.x + weight * (2.0f * unit_from_high16(h.z) - 1.0f);
-  precise float lean_y = sum.clump.lean.y + weight * (2.0f * unit_from_low16(h.z) - 1.0f);
+  precise float height = sum.clump.height + weight * (2.0f * unit_from_byte(what >> 24u) - 1.0f);
+  precise float hue = sum.clump.hue + weight * (2.0f * unit_from_byte(what >> 16u) - 1.0f);
+  precise float dryness = sum.clump.dryness + weight * (2.0f * unit_from_byte(what >> 8u) - 1.0f);
+  precise float lean_x = sum.clump.lean.x + weight * (2.0f * unit_from_byte(what) - 1.0f);
+  precise float lean_y = sum.clump.lean.y + weight * (2.0f * unit_from_byte(where >> 4u) - 1.0f);
   precise float outward_x = sum.clump.outward.x + weight * away_x;
   precise float outward_y = sum.clump.outward.y + weight * away_y;
   ClumpSum result;

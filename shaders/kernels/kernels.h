@@ -6,6 +6,7 @@
 #include <glm/exponential.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "shaders/shared/layouts.h"
 
@@ -23,12 +24,15 @@ using glm::uvec2;
 using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 using uint = glm::uint;
 
 #define precise  // GLSL's word for "do not rearrange"; C++ says it with -ffp-contract=off
 struct Kernels {
   const float* tables = nullptr;
-  float table_value(uint word) const { return tables[word]; }
+  vec4 table_texel(uint texel) const {
+    return vec4(tables[4 * texel], tables[4 * texel + 1], tables[4 * texel + 2], tables[4 * texel + 3]);
+  }
 
 #include "shaders/kernels/random.glsl"
 #include "shaders/kernels/sequence.glsl"

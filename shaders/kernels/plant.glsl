@@ -101,9 +101,8 @@ Blade grow_blade(PlantedCell cell, SpeciesParams species, uint index, vec2 local
   return blade;
 }
 
-Blade plant_blade(PlantedCell cell, SpeciesParams species, WarpedRoot root, uint index) {
+Blade plant_blade(PlantedCell cell, SpeciesParams species, Features features, WarpedRoot root, uint index) {
   vec2 local_m = root_in_cell(cell, root);
   return grow_blade(cell, species, index, local_m, traits_of(cell.key.y, index), clump_of(cell, species, local_m),
-                    features_in_cell(cell.feature_table, cell.feature_patches, cell.side_m, local_m),
-                    ground_in_cell(cell.ground_table, cell.side_m, local_m).height_m);
+                    features, ground_in_cell(cell.ground_table, cell.side_m, local_m).height_m);
 }

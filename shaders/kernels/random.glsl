@@ -33,3 +33,6 @@ float unit_from_u32(uint x) { return float(x >> 8u) * 5.9604644775390625e-8f; }
 // [0, 1), from the upper or lower 16 bits: two numbers a word where 1/65536 is fine enough.
 float unit_from_high16(uint x) { return float(x >> 16u) * 1.52587890625e-5f; }
 float unit_from_low16(uint x) { return float(x & 0xffffu) * 1.52587890625e-5f; }
+
+// [0, 1), from the lowest 8 bits.
+float unit_from_byte(uint x) { return float(x & 0xffu) * 0.00390625f; }

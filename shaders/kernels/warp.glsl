@@ -2,10 +2,10 @@
 // which consists of m × m bilinear patches. First y by the marginal, then x by the conditional at that y; in both, a
 // prefix sum finds the patch and one root the place in it. A patch without data has no mass and is never chosen.
 //
-// The cell's table of floats (generator/cell_table.h), m = patches:
-//   rows:   m × { mass below the row, sum along its lower edge, sum along its upper edge }
-//   sums:   m × m × { sum along the lower edge west of the patch, the same along the upper edge }
-//   nodes:  (m + 1) × (m + 1) densities, blades per m²
+// The cell's table of texels (generator/cell_table.h), m = patches:
+//   rows:   m × ( mass below the row, sum along its lower edge, sum along its upper edge, mass of the cell )
+//   nodes:  m × (m + 1) × ( sum along the row's lower edge west of the node, the same along its upper edge,
+//                           density at the node on the lower edge, density on the upper edge; blades per m² )
 // "Sum along an edge" is Σ of the mean of a patch's two end nodes over the patches with data, in units of patch sides.
 
 // Where the integral of a linear density, a at 0 and b at 1, reaches the share u of its total. The textbook form
@@ -21,16 +21,14 @@ float linear_density_root(float u, float a, float b) {
 // Written without branches and without a loop, so that compilers can plant several blades at once.
 uint advance_row(uint table, uint patches, uint row, uint step, float target) {
   uint next = min(row + step, patches - 1u);
-  return row + (next - row) * uint(target >= table_value(table + 3u * next));
+  return row + (next - row) * uint(target >= table_texel(table + next).x);
 }
 
-float mass_west_of(uint sums, float ty, uint column) {
-  return lerp(table_value(sums + 2u * column), table_value(sums + 2u * column + 1u), ty);
-}
+float mass_west_of(vec4 node, float ty) { return lerp(node.x, node.y, ty); }
 
-uint advance_column(uint sums, uint patches, float ty, uint column, uint step, float target) {
+uint advance_column(uint nodes, uint patches, float ty, uint column, uint step, float target) {
   uint next = min(column + step, patches - 1u);
-  return column + (next - column) * uint(target >= mass_west_of(sums, ty, next));
+  return column + (next - column) * uint(target >= mass_west_of(table_texel(nodes + next), ty));
 }
 
 struct WarpedRoot {
@@ -39,36 +37,31 @@ struct WarpedRoot {
 };
 
 WarpedRoot warp_to_density(uint table, uint patches, vec2 point) {
-  uint sums = table + 3u * patches;
-  uint nodes = sums + 2u * patches * patches;
-
   // A row or patch without mass begins where the next one does, so the search passes over it; those at the end begin at
   // the total, which no target reaches.
-  uint last = table + 3u * (patches - 1u);
-  precise float total = table_value(last) + 0.5f * (table_value(last + 1u) + table_value(last + 2u));
-  precise float row_target = point.y * total;
+  precise float row_target = point.y * table_texel(table).w;
   uint row = advance_row(table, patches, 0u, 4u, row_target);
   row = advance_row(table, patches, row, 2u, row_target);
   row = advance_row(table, patches, row, 1u, row_target);
-  float lower = table_value(table + 3u * row + 1u);
-  float upper = table_value(table + 3u * row + 2u);
+  vec4 row_texel = table_texel(table + row);
+  float lower = row_texel.y;
+  float upper = row_texel.z;
   precise float row_mass = 0.5f * (lower + upper);
-  precise float v = saturate((row_target - table_value(table + 3u * row)) / max(row_mass, 1.0e-30f));
+  precise float v = saturate((row_target - row_texel.x) / max(row_mass, 1.0e-30f));
   float ty = linear_density_root(v, lower, upper);
 
   // The prefix sums of the columns are linear between the row's edges.
-  uint row_sums = sums + 2u * patches * row;
-  float across = lerp(lower, upper, ty);
-  precise float target = point.x * across;
-  uint column = advance_column(row_sums, patches, ty, 0u, 4u, target);
-  column = advance_column(row_sums, patches, ty, column, 2u, target);
-  column = advance_column(row_sums, patches, ty, column, 1u, target);
-
-  uint corner = nodes + row * (patches + 1u) + column;
-  float a = lerp(table_value(corner), table_value(corner + patches + 1u), ty);
-  float b = lerp(table_value(corner + 1u), table_value(corner + patches + 2u), ty);
+  uint nodes = table + patches + row * (patches + 1u);
+  precise float target = point.x * lerp(lower, upper, ty);
+  uint column = advance_column(nodes, patches, ty, 0u, 4u, target);
+  column = advance_column(nodes, patches, ty, column, 2u, target);
+  column = advance_column(nodes, patches, ty, column, 1u, target);
+  vec4 west = table_texel(nodes + column);
+  vec4 east = table_texel(nodes + column + 1u);
+  float a = lerp(west.z, west.w, ty);
+  float b = lerp(east.z, east.w, ty);
   precise float mass = 0.5f * (a + b);
-  precise float u = saturate((target - mass_west_of(row_sums, ty, column)) / max(mass, 1.0e-30f));
+  precise float u = saturate((target - mass_west_of(west, ty)) / max(mass, 1.0e-30f));
   float tx = linear_density_root(u, a, b);
 
   WarpedRoot root;

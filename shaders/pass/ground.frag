@@ -4,7 +4,7 @@
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 
-float table_value(uint word) { return 0.0f; }
+vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
 

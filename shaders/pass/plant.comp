@@ -2,15 +2,15 @@
 // Plants blades and stores them as they are: what the CPU's plant_cell writes, for tests and measurements.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/planting.glsl"
-#include "shaders/pass/kernels.glsl"
 
 layout(std430, binding = 4) writeonly buffer Blades { Blade blades[]; };
 
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= blade_count) return;
-  uint c = cell_of(index);
-  PlantedCell cell = cells[c].planted;
-  uint k = index - cells[c].first_blade;
-  blades[index] = plant_blade(cell, species_table[cell.species], plant_root(cell, k), k);
+  DrawnCell drawn = load_cell(cell_of(index));
+  PlantedCell cell = drawn.planted;
+  uint k = index - drawn.first_blade;
+  WarpedRoot root = plant_root(cell, k);
+  blades[index] = plant_blade(cell, load_species(cell.species), planting_features(cell, root_in_cell(cell, root)), root, k);
 }

@@ -3,7 +3,6 @@
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/planting.glsl"
-#include "shaders/pass/kernels.glsl"
 
 layout(std430, binding = 4) writeonly buffer PosedBlades { PosedBlade posed[]; };
 
@@ -16,16 +15,16 @@ uint packed_normal(uint species, vec3 normal) {
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= blade_count) return;
-  uint c = cell_of(index);
-  PlantedCell cell = cells[c].planted;
-  vec3 eye_from_tile_m = cells[c].eye_from_tile_m;
-  uint k = index - cells[c].first_blade;
+  DrawnCell drawn = load_cell(cell_of(index));
+  PlantedCell cell = drawn.planted;
+  vec3 eye_from_tile_m = drawn.eye_from_tile_m;
+  uint k = index - drawn.first_blade;
 
-  SpeciesParams species = species_table[cell.species];
+  SpeciesParams species = load_species(cell.species);
   WarpedRoot root = plant_root(cell, k);
   vec2 local_m = root_in_cell(cell, root);
   GroundPoint ground = ground_in_cell(cell.ground_table, cell.side_m, local_m);
-  Features features = features_in_cell(cell.feature_table, cell.feature_patches, cell.side_m, local_m);
+  Features features = planting_features(cell, local_m);
 
   vec3 root_m = eye_from_tile_m + vec3(cell.offset_m + local_m, ground.height_m);
   float distance_m = sqrt(inner(root_m, root_m));

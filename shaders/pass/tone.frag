@@ -1,6 +1,5 @@
 #version 450 core
 // From linear light to an 8-bit picture: exposure, tone curve, sRGB.
-float table_value(uint word) { return 0.0f; }
 #include "shaders/kernels/interpolation.glsl"
 #include "shaders/kernels/tone.glsl"
 

@@ -9,7 +9,7 @@ struct PlantedCell {
   uint patches;           // m, density patches along a side
   ivec2 clump_lattice;    // tuft lattice cell at the south-west corner,
   vec2 clump_offset;      // and where in it the corner lies
-  uint ground_table;      // first word of the cell's tables
+  uint ground_table;      // first texel (4 words) of the cell's tables
   uint density_table;
   uint feature_table;     // kNoTable: all factors are 1
   uint feature_patches;   // feature patches along a side
