@@ -10,14 +10,14 @@ namespace prairie {
 namespace {
 
 // Clear afternoon sky, relative to a sky of intensity 1.
-constexpr glm::vec3 kZenith(0.16f, 0.34f, 0.72f);
+constexpr glm::vec3 kZenith(0.14f, 0.33f, 0.74f);
 constexpr glm::vec3 kHorizon(0.74f, 0.82f, 0.90f);
 // What reaches the top of a sward from the whole sky, and its foot through the leaves.
 constexpr glm::vec3 kTopAmbient(0.50f, 0.60f, 0.72f);
-constexpr glm::vec3 kRootAmbient(0.10f, 0.13f, 0.07f);
+constexpr glm::vec3 kRootAmbient(0.15f, 0.18f, 0.09f);
 constexpr float kExposure = 0.78f;
 constexpr float kSunHalo = 12.0f;
-constexpr float kShadeDensityPerM2 = 600.0f;
+constexpr float kShadeDensityPerM2 = 1100.0f;
 
 glm::vec3 sun_direction(const SunSpec& sun) {
   const double azimuth = glm::radians(sun.azimuth_deg);

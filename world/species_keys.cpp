@@ -55,10 +55,10 @@ constexpr ColorKey kColorKeys[] = {
 
 SpeciesParams default_species_params() {
   SpeciesParams params{};
-  params.root_color = {0.030f, 0.055f, 0.014f};
-  params.tip_color = {0.150f, 0.230f, 0.050f};
+  params.root_color = {0.040f, 0.068f, 0.016f};
+  params.tip_color = {0.205f, 0.285f, 0.055f};
   params.dry_color = {0.380f, 0.300f, 0.130f};
-  params.transmission = {0.42f, 0.62f, 0.10f};
+  params.transmission = {0.62f, 0.78f, 0.16f};
   params.dry_share = 0.12f;
   params.dry_spread = 0.25f;
   params.hue_spread = 0.5f;

@@ -7,25 +7,13 @@
 vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
+#include "shaders/pass/value_noise.glsl"
 
 layout(binding = 0) uniform sampler2D flat_map;  // rgb: mean albedo of the blades, a: the ground they cover
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 ground_normal;
 layout(location = 0) out vec4 color;
-
-float value_noise(vec2 p) {
-  vec2 cell = floor(p);
-  vec2 f = p - cell;
-  f = f * f * (3.0 - 2.0 * f);
-  ivec2 i = ivec2(cell);
-  vec4 v;
-  for (int n = 0; n < 4; ++n) {
-    uint h = hash_u32(uint(i.x + (n & 1)) * 0x9e3779b9u ^ hash_u32(uint(i.y + (n >> 1))));
-    v[n] = unit_from_u32(h);
-  }
-  return mix(mix(v.x, v.y, f.x), mix(v.z, v.w, f.x), f.y);
-}
 
 void main() {
   vec2 place_m = frame.anchor_m + (from_eye_m.xy - frame.ground_from_eye_m.xy);
@@ -40,20 +28,28 @@ void main() {
   grass.a = saturate(grass.a + 0.5 * (grain - 0.5) * grass.a * (1.0 - grass.a) * 4.0);
 
   vec3 normal = normalize(ground_normal);
+  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m / max(distance_m, 1e-4);
+  float n_dot_v = saturate(dot(normal, to_eye));
+  // What covers a share of the ground from above covers more of it the flatter one looks: leaf area along the ray.
+  float slant = sqrt(max(1.0 - n_dot_v * n_dot_v, 0.0)) / max(n_dot_v, 0.02);
+  float cover = 1.0 - pow(1.0 - min(grass.a, 0.999), 1.0 + 1.6 * slant);
+
   float n_dot_l = dot(normal, frame.sun_direction);
-  float level_n_dot_l = max(frame.sun_direction.z, 0.05);
   vec3 soil_albedo = frame.soil_color * (0.6 + 0.8 * grain);
   vec3 soil = soil_albedo * (frame.top_ambient + frame.sun_radiance * max(n_dot_l, 0.0));
 
   // Blades turn every way, so a slope changes what the sun gives them by less than it changes flat ground's.
-  float tilt = mix(1.0, clamp(n_dot_l / level_n_dot_l, 0.0, 2.0), 0.5);
-  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m / max(distance_m, 1e-4);
-  float contour = 0.05 * power10(1.0 - saturate(dot(normal, to_eye)));
-  vec3 sward = grass.rgb * frame.flat_response * tilt * (0.86 + 0.28 * patchy) + contour * frame.horizon_radiance * grass.a;
+  float tilt = mix(1.0, clamp(n_dot_l / max(frame.sun_direction.z, 0.05), 0.0, 2.0), 0.5);
+  float contour = 0.05 * power10(1.0 - n_dot_v);
+  vec3 sward = grass.rgb * frame.flat_response * tilt * (0.86 + 0.28 * patchy) + contour * frame.horizon_radiance * cover;
+  vec3 distant = mix(soil, sward, cover);
 
-  float standing = 1.0 - smooth_ramp((distance_m - frame.lod.fade_start_m) / (frame.lod.fade_end_m - frame.lod.fade_start_m));
-  vec3 floor_of_sward = mix(soil * (1.0 - 0.75 * grass.a), grass.rgb * frame.root_ambient * 1.4, 0.6 * grass.a);
-  vec3 distant = mix(soil, sward, grass.a);
-  vec3 radiance = mix(distant, floor_of_sward, standing);
-  color = vec4(hazed(radiance, from_eye_m), 1.0);
+  // Between standing blades: dead leaves in the sward's shade.
+  vec3 litter = mix(grass.rgb, vec3(0.10, 0.085, 0.04), 0.5) * (0.55 + 0.9 * grain);
+  vec3 floor_of_sward = mix(soil, litter * (frame.root_ambient * 1.3 + 0.035 * frame.sun_radiance), smooth_ramp(1.6 * grass.a));
+
+  // Where blades are thinned, gaps between them stand for blades; where they have sunk, the ground does.
+  float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
+  float standing = smooth_ramp(2.5 * keep_share(frame.lod, n_dot_v, pixel_m, distance_m));
+  color = vec4(hazed(mix(distant, floor_of_sward, standing), from_eye_m), 1.0);
 }
