@@ -6,9 +6,9 @@
 #include <exception>
 #include <utility>
 
+#include "maps/eager_formats.h"
 #include "maps/error.h"
 #include "maps/exr_header.h"
-#include "maps/jpeg2000_header.h"
 #include "maps/quiet_stderr.h"
 
 namespace prairie {
@@ -47,7 +47,7 @@ bool succeeds(const Call& call, std::string* error) {
 RasterFile::RasterFile(const std::filesystem::path& path, const std::string& field, std::uint64_t file_bytes)
     : path_(path), field_(field) {
   if (!exr_header_fits(path, file_bytes)) fail("a header that claims more than the file holds", kWholeImage);
-  const std::uint64_t claimed_bytes = jpeg2000_claimed_bytes(path);
+  const std::uint64_t claimed_bytes = eagerly_claimed_bytes(path);
   if (is_bomb(claimed_bytes, file_bytes)) {
     fail(fmt::format("a claim of {} MB of pixels in {} bytes", claimed_bytes >> 20, file_bytes),
          "a file that can hold the pixels it claims");

@@ -128,6 +128,11 @@ TEST_F(HostileMap, AJpeg2000ThatClaimsTooMuch) {
   expect_refused(folder_ / "a.j2k");
 }
 
+TEST_F(HostileMap, AGifThatClaimsTooMuch) {
+  testing::write_text(folder_ / "a.gif", "GIF89a\xff\xff\xff\xff" + std::string(900, ' '));
+  expect_refused(folder_ / "a.gif");
+}
+
 TEST_F(HostileMap, NothingButNodata) {
   testing::write_image<float>(folder_ / "n.tif", 3, 1, 1, TypeDesc::FLOAT,
                               {-9999.0f, std::numeric_limits<float>::quiet_NaN(), -3.4e38f});
