@@ -63,7 +63,9 @@ TEST(DeterminismTest, StagesPlantWhatTheKernelPlants) {
       std::vector<Blade> blades(cell.planted);
       plant_cell(cell, species, tables.tables, blades);
       for (std::uint32_t k = 0; k < cell.planted; ++k) {
-        const Blade blade = kernels.plant_blade(cell, species, kernels.plant_root(cell, k), k);
+        const auto root = kernels.plant_root(cell, k);
+        const auto features = kernels.features_of(cell, kernels.root_in_cell(cell, root));
+        const Blade blade = kernels.plant_blade(cell, species, features, root, k);
         ASSERT_EQ(std::memcmp(&blade, &blades[k], sizeof(Blade)), 0) << "blade " << k << " of tile " << tile;
         ++compared;
       }

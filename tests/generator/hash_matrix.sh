@@ -18,7 +18,7 @@ files=(
   tests/generator/hashed_meadow.cpp tests/generator/print_hash.cpp
 )
 # As cmake/prairie_room.cmake and shaders/CMakeLists.txt set them.
-flags=(-std=c++20 -ffp-contract=off -fno-fast-math -DGLM_FORCE_XYZW_ONLY "-I$source_folder")
+flags=(-std=c++20 -ffp-contract=off -fno-math-errno -fno-trapping-math -DGLM_FORCE_XYZW_ONLY "-I$source_folder")
 launcher=()
 ! command -v ccache >/dev/null || launcher=(ccache)
 
