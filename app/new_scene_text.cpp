@@ -39,7 +39,7 @@ intensity = 3.2
 
 [sky]
 intensity = 1.0
-haze_per_m = 0.0012     # how fast things fade with distance
+haze_per_m = 0.0006     # how fast things fade with distance
 
 [lod]
 quality = "medium"      # low, medium or high: how early blades thin out with distance

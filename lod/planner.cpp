@@ -131,7 +131,12 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   const bool all = options.tier == Tier::kHermite;
   plan.lod = all ? all_blades() : lod_coefficients(options.quality, options.blade_distance_m);
   plan.ground = ground_patches(*meadow_, camera, kGroundFarM);
-  if (options.tier == Tier::kFlat) return plan;
+  if (options.tier == Tier::kFlat) {
+    // The ground stands for all blades.
+    plan.lod.fade_start_m = -1.0f;
+    plan.lod.fade_end_m = 0.0f;
+    return plan;
+  }
 
   const double far_m = camera.is_orthographic() ? camera.orthographic_depth_m
                        : !all                   ? options.blade_distance_m

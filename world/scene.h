@@ -42,7 +42,7 @@ struct SunSpec {
   glm::vec3 color{1.0f, 0.93f, 0.80f};  // linear, relative
   double intensity = 3.2;
   double sky_intensity = 1.0;
-  double haze_per_m = 0.0012;  // fog density b of RG "Fog"
+  double haze_per_m = 0.0006;  // fog density b of RG "Fog"
 };
 
 struct LodSpec {

@@ -42,11 +42,12 @@ void main() {
   float tilt = mix(1.0, clamp(n_dot_l / max(frame.sun_direction.z, 0.05), 0.0, 2.0), 0.5);
   float contour = 0.05 * power10(1.0 - n_dot_v);
   vec3 sward = grass.rgb * frame.flat_response * tilt * (0.86 + 0.28 * patchy) + contour * frame.horizon_radiance * cover;
-  vec3 distant = mix(soil, sward, cover);
 
   // Between standing blades: dead leaves in the sward's shade.
-  vec3 litter = mix(grass.rgb, vec3(0.10, 0.085, 0.04), 0.5) * (0.55 + 0.9 * grain);
+  vec3 litter = mix(grass.rgb, vec3(0.10, 0.085, 0.04), 0.3) * (0.55 + 0.9 * grain);
   vec3 floor_of_sward = mix(soil, litter * (frame.root_ambient * 1.3 + 0.035 * frame.sun_radiance), smooth_ramp(1.6 * grass.a));
+
+  vec3 distant = mix(floor_of_sward, sward, cover);
 
   // Where blades are thinned, gaps between them stand for blades; where they have sunk, the ground does.
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
