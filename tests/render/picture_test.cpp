@@ -1,0 +1,113 @@
+// Pictures of a small world: the same every time, of the right colours, with the blades that they should
+// hold.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "generator/plant.h"
+#include "generator/tiles.h"
+#include "render/renderer.h"
+#include "tests/render/headless_test.h"
+#include "tests/render/test_world.h"
+
+namespace prairie {
+namespace {
+
+class PictureTest : public HeadlessTest {
+ protected:
+  TemporaryFolder folder_;
+};
+
+/// Mean of the sRGB channels over rows [first, last) of the picture.
+std::array<double, 3> mean_color(const Picture& picture, int first, int last) {
+  std::array<double, 3> sum{};
+  for (int y = first; y < last; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      for (int channel = 0; channel < 3; ++channel) {
+        sum[static_cast<std::size_t>(channel)] += static_cast<double>(
+            picture.srgb[static_cast<std::size_t>(3 * (y * picture.width + x) + channel)]);
+      }
+    }
+  }
+  for (double& value : sum) value /= static_cast<double>((last - first) * picture.width);
+  return sum;
+}
+
+TEST_F(PictureTest, IsTheSameEveryTime) {
+  const World world = open_world(meadow_scene(folder_));
+  const Camera camera = camera_above(world, {16.0, 2.0}, 1.7, 0.0, -0.2);
+  const Picture first = Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, {}, 2);
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  const Picture second = renderer.render(camera, {}, 2);
+  EXPECT_EQ(first.linear_rgb, second.linear_rgb);
+  // Neither does it depend on what the renderer drew before.
+  renderer.render(camera_above(world, {5.0, 30.0}, 3.0, 2.0, -0.5), {Tier::kHermite, false}, 1);
+  EXPECT_EQ(renderer.render(camera, {}, 2).linear_rgb, first.linear_rgb);
+}
+
+TEST_F(PictureTest, LooksLikeGrassUnderASky) {
+  const World world = open_world(meadow_scene(folder_));
+  for (const Tier tier : {Tier::kAuto, Tier::kHermite, Tier::kFlat}) {
+    const Picture picture = Renderer(world, PRAIRIE_TEST_SHADERS)
+                                .render(camera_above(world, {8.0, 1.0}, 1.7, 0.0, -0.1), {tier, false}, 1);
+    const std::array<double, 3> grass = mean_color(picture, 80, 120);
+    EXPECT_GT(grass[1], grass[0]) << "greener than red";
+    EXPECT_GT(grass[1], grass[2]) << "greener than blue";
+    EXPECT_TRUE(grass[1] > 40.0 && grass[1] < 220.0) << grass[1];
+    const std::array<double, 3> sky = mean_color(picture, 0, 25);
+    EXPECT_GT(sky[2], sky[0]) << "bluer than red";
+    EXPECT_GT(sky[2], grass[2] + 20.0);
+    EXPECT_TRUE(std::all_of(picture.linear_rgb.begin(), picture.linear_rgb.end(),
+                            [](float v) { return std::isfinite(v) && v >= 0.0f; }));
+  }
+}
+
+TEST_F(PictureTest, HermiteTierDrawsEveryBlade) {
+  const World world = open_world(meadow_scene(folder_));
+  const Meadow& meadow = world.meadow();
+  std::uint64_t planted = 0;
+  const TileRange tiles = tiles_of(meadow);
+  for (int j = 0; j <= tiles.last.j; ++j) {
+    for (int i = 0; i <= tiles.last.i; ++i) planted += planted_count(meadow, {i, j});
+  }
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  Camera camera = camera_above(world, {16.0, 16.0}, 40.0, 0.0, -1.5707);
+  camera.fov_rad = 1.3;
+  const Picture all = renderer.render(camera, {Tier::kHermite, false}, 1);
+  EXPECT_EQ(all.statistics.blades_drawn, planted);
+  EXPECT_EQ(all.statistics.blades_planted_in_view, planted);
+  const Picture some = renderer.render(camera, {Tier::kAuto, false}, 1);
+  EXPECT_LT(some.statistics.blades_drawn, planted);
+  EXPECT_GT(some.statistics.blades_drawn, 0u);
+  EXPECT_EQ(renderer.render(camera, {Tier::kFlat, false}, 1).statistics.blades_drawn, 0u);
+}
+
+/// The tiers stand for one another: seen from above, the mean colour of the flat one is near that of all
+/// blades.
+TEST_F(PictureTest, FlatTierHasTheColorOfItsBlades) {
+  const World world = open_world(meadow_scene(folder_));
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  Camera camera = camera_above(world, {8.0, 16.0}, 12.0, 0.0, -0.9);
+  const std::array<double, 3> blades =
+      mean_color(renderer.render(camera, {Tier::kHermite, false}, 4), 0, 120);
+  const std::array<double, 3> flat = mean_color(renderer.render(camera, {Tier::kFlat, false}, 4), 0, 120);
+  std::printf("blades %.0f %.0f %.0f, flat %.0f %.0f %.0f\n", blades[0], blades[1], blades[2], flat[0],
+              flat[1], flat[2]);
+  for (std::size_t channel = 0; channel < 3; ++channel) EXPECT_NEAR(flat[channel], blades[channel], 40.0);
+}
+
+TEST_F(PictureTest, SamplesSmoothAndMsaaKeepsThePicture) {
+  const World world = open_world(meadow_scene(folder_));
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  const Camera camera = camera_above(world, {16.0, 2.0}, 1.7, 0.0, -0.2);
+  const std::array<double, 3> one = mean_color(renderer.render(camera, {}, 1), 0, 120);
+  const std::array<double, 3> many = mean_color(renderer.render(camera, {}, 8), 0, 120);
+  const std::array<double, 3> msaa = mean_color(renderer.render(camera, {Tier::kAuto, true}, 1), 0, 120);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    EXPECT_NEAR(one[channel], many[channel], 4.0);
+    EXPECT_NEAR(one[channel], msaa[channel], 4.0);
+  }
+}
+
+}  // namespace
+}  // namespace prairie
