@@ -8,7 +8,7 @@ build=$sources/build/$preset
 
 case $preset in
   asan) targets=(prairie_maps_tests replay_map_file replay_map_text replay_scene) ;;
-  tsan) targets=(prairie_generator_tests prairie_maps_tests) ;;
+  tsan) targets=(prairie_thread_tests prairie_maps_tests) ;;
 esac
 
 exec 9>"$build.lock"
@@ -26,14 +26,12 @@ fi
 case $preset in
   asan)
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
-    # A limit on memory cannot be tried where every byte has a shadow.
     "$build/tests/maps/prairie_maps_tests" --gtest_brief=1
     for reader in map_file map_text scene; do "$build/tests/fuzz/replay_$reader"; done
     ;;
   tsan)
-    # oneTBB itself is not instrumented: what happens inside it is not seen as ordered.
-    export TSAN_OPTIONS=halt_on_error=1:ignore_noninstrumented_modules=1
-    "$build/tests/generator/prairie_generator_tests" --gtest_brief=1 --gtest_filter='Determinism*'
-    "$build/tests/maps/prairie_maps_tests" --gtest_brief=1 --gtest_filter='*Thread*:Cached*'
+    export TSAN_OPTIONS=halt_on_error=1
+    "$build/tests/sanitizers/prairie_thread_tests" --gtest_brief=1
+    "$build/tests/maps/prairie_maps_tests" --gtest_brief=1 --gtest_filter='*Threads*'
     ;;
 esac
