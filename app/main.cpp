@@ -18,6 +18,7 @@ namespace prairie {
 namespace {
 
 int run(int argc, const char* const* argv) {
+  watch_for_interruption();
   CommandLine line;
   line.read(argc, argv);
   std::optional<tbb::global_control> thread_limit;
@@ -58,6 +59,5 @@ int run_to_exit_code(int argc, const char* const* argv) {
 }  // namespace prairie
 
 int main(int argc, char** argv) {
-  prairie::watch_for_interruption();
   return prairie::run_to_exit_code(argc, argv);
 }
