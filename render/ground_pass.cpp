@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/context.h"
 #include "render/flat_map.h"
 #include "render/shader_program.h"
 
@@ -75,13 +74,6 @@ GlTexture upload_flat_map(const FlatMap& map, bool repeats) {
   const GLint wrap = repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
   glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, wrap);
   glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, wrap);
-  // Mesa's software renderer walks every texel under a pixel's footprint: where ground is seen edge-on or its
-  // coordinates are extrapolated beyond a triangle, that takes seconds.
-  const bool walks_footprints = renderer_name().find("llvmpipe") != std::string::npos;
-  if (!walks_footprints && (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") ||
-                            epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))) {
-    glTextureParameterf(texture.get(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 8.0f);
-  }
   return texture;
 }
 

@@ -56,11 +56,11 @@ constexpr ColorKey kColorKeys[] = {
 SpeciesParams default_species_params() {
   SpeciesParams params{};
   params.root_color = {0.040f, 0.068f, 0.016f};
-  params.tip_color = {0.205f, 0.285f, 0.055f};
+  params.tip_color = {0.190f, 0.258f, 0.066f};
   params.dry_color = {0.380f, 0.300f, 0.130f};
   params.transmission = {0.62f, 0.78f, 0.16f};
-  params.dry_share = 0.12f;
-  params.dry_spread = 0.25f;
+  params.dry_share = 0.16f;
+  params.dry_spread = 0.30f;
   params.hue_spread = 0.5f;
   params.specular = 0.06f;
   params.height_m = 0.32f;

@@ -15,11 +15,29 @@ layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 ground_normal;
 layout(location = 0) out vec4 color;
 
+// The flat map over a pixel's long, narrow footprint: four places along it, each with the footprint's width as its own.
+// Done here rather than by anisotropic filters: they differ between devices, and Mesa's software renderer walks every
+// texel of a footprint, which takes seconds where ground is seen edge-on.
+vec4 flat_map_over_footprint(vec2 uv) {
+  vec2 across = dFdx(uv);
+  vec2 along = dFdy(uv);
+  if (dot(across, across) > dot(along, along)) {
+    vec2 other = across;
+    across = along;
+    along = other;
+  }
+  vec4 sum = vec4(0.0);
+  for (int n = 0; n < 4; ++n) {
+    sum += textureGrad(flat_map, uv + along * ((float(n) + 0.5) / 4.0 - 0.5), across, along * 0.25);
+  }
+  return 0.25 * sum;
+}
+
 void main() {
   vec2 place_m = frame.anchor_m + (from_eye_m.xy - frame.ground_from_eye_m.xy);
   vec2 extent_m = vec2(frame.field_extent_x_m, frame.field_extent_y_m);
   // Texel centres are map nodes, which lie on the field's border.
-  vec4 grass = texture(flat_map, (place_m + 0.5 * frame.ground_texel_m) / (extent_m + frame.ground_texel_m));
+  vec4 grass = flat_map_over_footprint((place_m + 0.5 * frame.ground_texel_m) / (extent_m + frame.ground_texel_m));
 
   float distance_m = length(from_eye_m);
   float detail = frame.parallel > 0.5 ? 1.0 : saturate(1.5 - distance_m / 60.0);
