@@ -8,7 +8,7 @@ build=$sources/build/$preset
 
 case $preset in
   asan) targets=(prairie_maps_tests replay_map_file replay_map_text replay_scene) ;;
-  tsan) targets=(prairie_thread_tests prairie_maps_tests) ;;
+  tsan) targets=(prairie_thread_tests) ;;
 esac
 
 exec 9>"$build.lock"
@@ -35,6 +35,5 @@ case $preset in
   tsan)
     export TSAN_OPTIONS=halt_on_error=1
     "$build/tests/sanitizers/prairie_thread_tests" --gtest_brief=1
-    "$build/tests/maps/prairie_maps_tests" --gtest_brief=1 --gtest_filter='*Threads*'
     ;;
 esac
