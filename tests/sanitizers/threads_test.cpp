@@ -1,6 +1,6 @@
 // One meadow, read and planted from many threads at once. These are plain threads: oneTBB's, which the
-// program uses, are not instrumented (nor is OpenImageIO's cache), and the thread sanitizer would take what is
-// ordered inside them for races.
+// program uses, are not instrumented (nor is OpenImageIO's cache), and the thread sanitizer would take what
+// is ordered inside them for races.
 #include <gtest/gtest.h>
 
 #include <thread>
