@@ -4,15 +4,16 @@
 
 #include <array>
 #include <bit>
+#include <glm/vec3.hpp>
 #include <iterator>
+
+#include "generator/blade_identity.h"
+#include "generator/cell_table.h"
 
 namespace prairie {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "PLY is written in the order of this machine");
-
-constexpr std::uint32_t kSpeciesShift = 24;
-constexpr std::uint32_t kIndexMask = (1u << kSpeciesShift) - 1;
 
 struct FloatColumn {
   const char* name;
@@ -35,20 +36,6 @@ constexpr std::array<FloatColumn, 12> kAttributes{{
     {"phase_rad", [](const Blade& blade) { return blade.phase_rad; }},
 }};
 
-struct BladeIdentity {
-  std::uint32_t species = 0;
-  std::uint32_t cell = 0;
-  std::uint32_t index = 0;
-};
-
-// The cell follows from the root: its cells share the tile evenly.
-BladeIdentity identity_of(const Blade& blade, const Meadow& meadow) {
-  const auto half_m = static_cast<float>(meadow.tile_m / kCellsPerSide);
-  const std::uint32_t east = blade.root_m.x >= half_m ? 1 : 0;
-  const std::uint32_t north = blade.root_m.y >= half_m ? 1 : 0;
-  return {blade.identity >> kSpeciesShift, north * kCellsPerSide + east, blade.identity & kIndexMask};
-}
-
 template <typename Value>
 void append_bytes(std::string& bytes, Value value) {
   const auto raw = std::bit_cast<std::array<char, sizeof(Value)>>(value);
@@ -56,14 +43,14 @@ void append_bytes(std::string& bytes, Value value) {
 }
 
 std::string csv_rows(const Meadow& meadow, TileId tile, std::span<const Blade> blades) {
-  const glm::dvec2 origin_m = tile_origin_m(meadow, tile);
+  const glm::dvec3 origin_m(tile_origin_m(meadow, tile), tile_base_m(meadow, tile));
   fmt::memory_buffer text;
   for (const Blade& blade : blades) {
-    const BladeIdentity identity = identity_of(blade, meadow);
-    const glm::dvec2 root_m = origin_m + glm::dvec2(blade.root_m);
+    const BladeIdentity identity = identity_of(blade);
+    const glm::dvec3 root_m = origin_m + glm::dvec3(blade.root_m, blade.ground_m);
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{:.6f},{:.6f},{:.6f}", tile.i, tile.j,
                    meadow.species[identity.species].species.name, identity.cell, identity.index, root_m.x,
-                   root_m.y, blade.ground_m);
+                   root_m.y, root_m.z);
     for (const FloatColumn& column : kAttributes) {
       fmt::format_to(std::back_inserter(text), ",{}", column.value(blade));
     }
@@ -73,14 +60,14 @@ std::string csv_rows(const Meadow& meadow, TileId tile, std::span<const Blade> b
 }
 
 std::string ply_rows(const Meadow& meadow, TileId tile, std::span<const Blade> blades) {
-  const glm::dvec2 origin_m = tile_origin_m(meadow, tile);
+  const glm::dvec3 origin_m(tile_origin_m(meadow, tile), tile_base_m(meadow, tile));
   std::string bytes;
   for (const Blade& blade : blades) {
-    const BladeIdentity identity = identity_of(blade, meadow);
-    const glm::dvec2 root_m = origin_m + glm::dvec2(blade.root_m);
+    const BladeIdentity identity = identity_of(blade);
+    const glm::dvec3 root_m = origin_m + glm::dvec3(blade.root_m, blade.ground_m);
     append_bytes(bytes, root_m.x);
     append_bytes(bytes, root_m.y);
-    append_bytes(bytes, static_cast<double>(blade.ground_m));
+    append_bytes(bytes, root_m.z);
     append_bytes(bytes, tile.i);
     append_bytes(bytes, tile.j);
     append_bytes(bytes, static_cast<std::uint8_t>(identity.species));

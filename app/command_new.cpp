@@ -52,11 +52,11 @@ void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chose
       ->add_option_function<std::string>(
           "--spacing",
           [&request](const std::string& text) {
-            request.height_spacing_m = number_option("--spacing", text, 1e-3, 1e5);
+            request.height_spacing_m = number_option("--spacing", text, 1e-3, 1e4);
           },
-          "Metres between the raster's pixels, where the file does not say")
-      ->type_name("METRES")
-      ->needs(height);
+          "Metres between the pixels of the height raster (without one, the density raster's), where it does "
+          "not say")
+      ->type_name("METRES");
   CLI::Option* density_file =
       command->add_option("--density", density.file, "Your own density raster")->type_name("FILE");
   command
@@ -70,7 +70,7 @@ void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chose
       ->add_option_function<std::string>(
           "--density-curve",
           [&density](const std::string& text) {
-            density.curve = number_option("--density-curve", text, 1e-3, 1e3);
+            density.curve = number_option("--density-curve", text, 0.01, 100.0);
           },
           "Exponent G of density = N · clamp((v − LO)/(HI − LO), 0, 1)^G (1)")
       ->type_name("G")

@@ -13,6 +13,7 @@
 #include "app/messages.h"
 #include "app/usage_error.h"
 #include "maps/error.h"
+#include "world/scene.h"
 
 namespace prairie {
 namespace {
@@ -42,6 +43,8 @@ int run_to_exit_code(int argc, const char* const* argv) {
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {
+    return fail(kExitUsage, error);
+  } catch (const BadOverride& error) {
     return fail(kExitUsage, error);
   } catch (const BadInput& error) {
     return fail(kExitBadInput, error);

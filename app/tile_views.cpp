@@ -18,15 +18,6 @@ constexpr double kEyeFovRad = glm::radians(60.0);
 constexpr double kTopClearanceM = 2.0;
 constexpr double kLeastGroundClearanceM = 0.5;
 
-double tallest_blade_m(const Meadow& meadow) {
-  double tallest = 0.0;
-  for (const PlantedSpecies& planted : meadow.species) {
-    const SpeciesParams& params = planted.species.params;
-    tallest = std::max(tallest, static_cast<double>(params.height_m * (1.0f + params.height_spread)));
-  }
-  return tallest;
-}
-
 void look_at(Camera& camera, glm::dvec3 target_m) {
   const glm::dvec3 way = target_m - camera.eye_m;
   camera.pitch_rad = std::atan2(way.z, std::hypot(way.x, way.y));

@@ -30,4 +30,7 @@ struct Meadow {
   glm::vec3 soil_color{0.11f, 0.08f, 0.05f};
 };
 
+/// No blade is longer. Reads the whole map of blade heights.
+double tallest_blade_m(const Meadow& meadow);
+
 }  // namespace prairie

@@ -13,7 +13,8 @@ namespace prairie {
 namespace {
 
 constexpr std::int64_t kVersion = 1;
-constexpr Bounds kTileM{0.5, 64.0};
+// A cell of the largest tile holds fewer blades at the largest density than an identity can count.
+constexpr Bounds kTileM{0.5, 16.0};
 constexpr Bounds kSizeM{0.5, 20'000.0};
 constexpr Bounds kSpacingM{1e-3, 1e4};
 constexpr Bounds kMapValue{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};

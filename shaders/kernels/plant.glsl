@@ -97,7 +97,8 @@ Blade grow_blade(PlantedCell cell, SpeciesParams species, uint index, vec2 local
   blade.mass_g = mass_g;
   precise float phase_rad = 6.2831853f * traits.phase;
   blade.phase_rad = phase_rad;
-  blade.identity = (cell.species << 24u) | index;
+  uint quarter = uint(cell.offset_m.x > 0.0f) + 2u * uint(cell.offset_m.y > 0.0f);
+  blade.identity = (cell.species << 26u) | (quarter << 24u) | index;
   return blade;
 }
 

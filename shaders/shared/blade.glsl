@@ -14,5 +14,5 @@ struct Blade {
   float stiffness;        // spring constant over m g l (B11 §3.1)
   float mass_g;
   float phase_rad;        // of its own sway
-  uint identity;          // species in the upper 8 bits, index in the cell in the lower 24
+  uint identity;          // species (6 bits), cell of the tile (2), index in the cell (24)
 };

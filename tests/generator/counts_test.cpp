@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "generator/blade_identity.h"
 #include "generator/plant.h"
 #include "tests/generator/reference_density.h"
 #include "tests/generator/test_meadow.h"
@@ -73,7 +74,7 @@ TEST(CountsTest, IdentitiesCountUpInEachCell) {
   for (const Blade& blade : plant_tile(meadow, {1, 1})) {
     const std::uint32_t index = blade.identity & 0xffffffu;
     EXPECT_TRUE(index == 0 || blade.identity == previous + 1) << index;
-    EXPECT_LT(blade.identity >> 24, meadow.species.size());
+    EXPECT_LT(identity_of(blade).species, meadow.species.size());
     previous = blade.identity;
   }
 }

@@ -12,7 +12,7 @@ variants=("$@")
 
 # What planting needs, and no more: no image library.
 files=(
-  generator/cell_lattice.cpp generator/cell_table.cpp generator/plant.cpp generator/plant_cell.cpp generator/tiles.cpp
+  generator/cell_lattice.cpp generator/cell_table.cpp generator/meadow.cpp generator/plant.cpp generator/plant_cell.cpp generator/tiles.cpp
   maps/error.cpp maps/filled_heights.cpp maps/ground_survey.cpp maps/height_bounds.cpp maps/height_field.cpp maps/node_grid.cpp
   maps/node_mask.cpp maps/nodata_fill.cpp
   tests/generator/hashed_meadow.cpp tests/generator/print_hash.cpp
