@@ -20,13 +20,13 @@ vec3 tip_albedo(SpeciesParams species, float hue, float dryness) {
 
 // 11, 11 and 10 bits, square-root encoded: dark colours keep their steps below what an eye sees.
 uint pack_color(vec3 color) {
-  uint r = uint(sqrt(saturate(color.x)) * 2047.0f + 0.5f);
-  uint g = uint(sqrt(saturate(color.y)) * 2047.0f + 0.5f);
-  uint b = uint(sqrt(saturate(color.z)) * 1023.0f + 0.5f);
+  uint r = uint(int(sqrt(saturate(color.x)) * 2047.0f + 0.5f));
+  uint g = uint(int(sqrt(saturate(color.y)) * 2047.0f + 0.5f));
+  uint b = uint(int(sqrt(saturate(color.z)) * 1023.0f + 0.5f));
   return (r << 21u) | (g << 10u) | b;
 }
 
 vec3 unpack_color(uint word) {
-  return vec3(square(float(word >> 21u) / 2047.0f), square(float((word >> 10u) & 2047u) / 2047.0f),
-              square(float(word & 1023u) / 1023.0f));
+  return vec3(square(float(int(word >> 21u)) / 2047.0f), square(float(int((word >> 10u) & 2047u)) / 2047.0f),
+              square(float(int(word & 1023u)) / 1023.0f));
 }

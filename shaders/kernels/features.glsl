@@ -23,10 +23,10 @@ Features features_in_cell(uint table, uint patches, float side_m, vec2 local_m) 
   precise float scale = float(patches) / side_m;
   precise float x = min(local_m.x * scale, float(patches) - 0.0001f);
   precise float y = min(local_m.y * scale, float(patches) - 0.0001f);
-  uint column = uint(x);
-  uint row = uint(y);
-  precise float tx = x - float(column);
-  precise float ty = y - float(row);
+  uint column = uint(int(x));
+  uint row = uint(int(y));
+  precise float tx = x - float(int(column));
+  precise float ty = y - float(int(row));
   uint south = table + 2u * (row * (patches + 1u) + column);
   uint north = south + 2u * (patches + 1u);
   vec4 sw = table_texel(south);

@@ -65,7 +65,7 @@ WarpedRoot warp_to_density(uint table, uint patches, vec2 point) {
   float tx = linear_density_root(u, a, b);
 
   WarpedRoot root;
-  root.patch_xy = vec2(float(column) + tx, float(row) + ty);
+  root.patch_xy = vec2(float(int(column)) + tx, float(int(row)) + ty);
   root.density = lerp(a, b, tx);
   return root;
 }

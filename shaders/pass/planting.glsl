@@ -1,7 +1,8 @@
 // Bindings and work distribution that the planting shaders share: one invocation per blade, workgroups span cells.
 //
 // Cells, species and tables are read through buffer textures: where neighbouring invocations read different places, a
-// software renderer fetches four words from a texel in half the time that it takes to load one from a storage buffer.
+// software renderer fetches four words from a texel in half the time that it takes to load one from a storage buffer. For the
+// same reason results are stored by whole texels.
 layout(local_size_x = 64) in;
 
 layout(binding = 0) uniform usamplerBuffer cell_texels;       // DrawnCell, 7 texels each

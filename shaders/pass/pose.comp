@@ -4,11 +4,11 @@
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/planting.glsl"
 
-layout(std430, binding = 4) writeonly buffer PosedBlades { PosedBlade posed[]; };
+layout(std430, binding = 4) writeonly buffer PosedBlades { uvec4 posed_texels[]; };  // PosedBlade, 5 texels each
 
 uint packed_normal(uint species, vec3 normal) {
-  uint x = uint((normal.x * 0.5f + 0.5f) * 4095.0f + 0.5f);
-  uint y = uint((normal.y * 0.5f + 0.5f) * 4095.0f + 0.5f);
+  uint x = uint(int((normal.x * 0.5f + 0.5f) * 4095.0f + 0.5f));
+  uint y = uint(int((normal.y * 0.5f + 0.5f) * 4095.0f + 0.5f));
   return (species << 24u) | (x << 12u) | y;
 }
 
@@ -32,7 +32,7 @@ void main() {
   float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
   vec3 normal = normalized(vec3(-ground.slope, 1.0f));
   float keep = keep_share(frame.lod, inner(normal, to_eye), pixel_m, distance_m);
-  float rank = (float(k) + cell.rank_offset) / float(cell.planted);
+  float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
   float growth = growth_of(frame.lod, keep, rank);
 
   Blade blade = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k), clump_of(cell, species, local_m), features, ground.height_m);
@@ -49,5 +49,10 @@ void main() {
   result.root_color = pack_color(root_albedo(species, blade.hue, blade.dryness) * features.color);
   result.tip_color = pack_color(tip_albedo(species, blade.hue, blade.dryness) * features.color);
   result.species_and_normal = packed_normal(cell.species, normal);
-  posed[index] = result;
+  uint first = 5u * index;
+  posed_texels[first] = floatBitsToUint(vec4(result.base_m, result.width_m));
+  posed_texels[first + 1u] = floatBitsToUint(vec4(result.tip_m, result.shade));
+  posed_texels[first + 2u] = uvec4(floatBitsToUint(result.base_tangent_m), result.root_color);
+  posed_texels[first + 3u] = uvec4(floatBitsToUint(result.tip_tangent_m), result.tip_color);
+  posed_texels[first + 4u] = uvec4(floatBitsToUint(result.side), result.species_and_normal);
 }
