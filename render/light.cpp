@@ -77,7 +77,6 @@ FrameParams frame_params(const World& world, const FramePlan& plan, glm::dvec3 a
   frame.field_extent_y_m = static_cast<float>(meadow.extent_m.y);
   frame.ground_from_eye_m = glm::vec3(anchor_m - camera.eye_m);
   frame.soil_color = meadow.soil_color;
-  frame.field_repeats = meadow.repeats ? 1.0f : 0.0f;
   frame.anchor_m = glm::vec2(anchor_m);
   frame.lod = plan.lod;
   frame.flat_response = flat_response(frame, mean_transmission(meadow));

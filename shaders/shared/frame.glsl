@@ -19,7 +19,7 @@ struct FrameParams {
   vec3 ground_from_eye_m;    // the ground mesh's anchor as seen from the eye
   float field_extent_y_m;
   vec3 soil_color;
-  float field_repeats;
+  float reserved;            // fills the row
   vec3 flat_response;        // radiance of a sward of albedo 1 on level ground, seen from afar
   float ground_texel_m;      // of the flat tier's texture
   vec2 anchor_m;             // the anchor's place in the scene
