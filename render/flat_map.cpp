@@ -12,28 +12,27 @@ namespace {
 
 constexpr int kMostTexels = 2048;  // along a side
 constexpr double kCoarsestTexelM = 4.0;
+constexpr int kMostSamples = 8;  // along a texel's side, where maps are finer than texels
 // The leaf area that a blade shows from above: its profile fills two thirds of length × width, and it stands
 // steeply.
 constexpr double kProjectedShare = 0.67 * 0.6;
 // Where along a blade its mean visible colour is found: the upper part hides the lower.
 constexpr float kVisibleTip = 0.62f;
 
-double texel_side_m(const Meadow& meadow) {
+double finest_spacing_m(const Meadow& meadow) {
   double finest_m = kCoarsestTexelM;
-  for (const PlantedSpecies& species : meadow.species) {
-    if (!species.density_per_m2.is_uniform())
-      finest_m = std::min(finest_m, species.density_per_m2.frame().spacing_m);
-  }
-  const double longest_m = std::max(meadow.extent_m.x, meadow.extent_m.y);
-  return std::max(finest_m, longest_m / (kMostTexels - 1));
+  const auto consider = [&](const NodeGrid& map) {
+    if (!map.is_uniform()) finest_m = std::min(finest_m, map.frame().spacing_m);
+  };
+  for (const PlantedSpecies& species : meadow.species) consider(species.density_per_m2);
+  consider(meadow.blade_height);
+  if (meadow.color) consider(*meadow.color);
+  if (!meadow.ground.is_uniform()) finest_m = std::min(finest_m, meadow.ground.frame().spacing_m);
+  return finest_m;
 }
 
 std::uint8_t byte_of(double share) {
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-}
-
-double srgb_from_linear(double x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
 }
 
 glm::vec3 mean_albedo(const SpeciesParams& species) {
@@ -47,49 +46,104 @@ float value_at(const NodeGrid& map, glm::dvec2 place_m, int channel, float missi
   return std::isfinite(value) ? value : missing;
 }
 
-void fill_texel(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm::dvec2 place_m,
-                std::uint8_t* texel) {
-  glm::dvec3 color(0.0);
-  double area = 0.0;
+// What a place contributes to its texel.
+struct Sward {
+  glm::dvec3 albedo_area{0.0};  // Σ leaf area · albedo
+  double area = 0.0;            // leaf area seen from above, per ground area
+  double cover = 0.0;
+};
+
+Sward sward_at(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm::dvec2 place_m) {
+  Sward sward;
+  if (!meadow.ground.has_data(place_m, place_m)) return sward;
+  const double length = static_cast<double>(value_at(meadow.blade_height, place_m, 0, 1.0f));
   for (std::size_t s = 0; s < meadow.species.size(); ++s) {
     const double density = static_cast<double>(value_at(meadow.species[s].density_per_m2, place_m, 0, 0.0f));
-    const double hidden =
-        -std::log1p(-std::min(cover_from_above(meadow.species[s].species.params, density), 0.999999));
-    color += hidden * glm::dvec3(albedos[s]);
-    area += hidden;
+    const double area = length * leaf_area_from_above(meadow.species[s].species.params, density);
+    sward.albedo_area += area * glm::dvec3(albedos[s]);
+    sward.area += area;
   }
-  area *= static_cast<double>(value_at(meadow.blade_height, place_m, 0, 1.0f));
-  if (!meadow.ground.has_data(place_m, place_m)) area = 0.0;
+  if (meadow.color) {
+    for (int channel = 0; channel < 3; ++channel) {
+      sward.albedo_area[channel] *= static_cast<double>(value_at(*meadow.color, place_m, channel, 1.0f));
+    }
+  }
+  sward.cover = 1.0 - std::exp(-sward.area);
+  return sward;
+}
+
+// The mean over `samples` × `samples` places of the texel around `place_m`.
+void fill_texel(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm::dvec2 place_m,
+                glm::dvec2 texel_m, int samples, std::uint8_t* texel) {
+  Sward sum;
+  for (int n = 0; n < samples * samples; ++n) {
+    const glm::dvec2 shift =
+        (glm::dvec2(n % samples, n / samples) + 0.5) / static_cast<double>(samples) - 0.5;
+    glm::dvec2 sample_m = place_m + shift * texel_m;
+    if (!meadow.repeats) sample_m = glm::clamp(sample_m, glm::dvec2(0.0), meadow.extent_m);
+    const Sward sward = sward_at(meadow, albedos, sample_m);
+    sum.albedo_area += sward.albedo_area;
+    sum.area += sward.area;
+    sum.cover += sward.cover;
+  }
+  Kernels kernels;
   for (int channel = 0; channel < 3; ++channel) {
-    const double tint =
-        meadow.color ? static_cast<double>(value_at(*meadow.color, place_m, channel, 1.0f)) : 1.0;
     const double albedo =
-        area > 0.0 ? color[channel] / std::max(area, 1e-9) : static_cast<double>(albedos[0][channel]);
-    texel[channel] = byte_of(srgb_from_linear(tint * albedo));
+        sum.area > 0.0 ? sum.albedo_area[channel] / sum.area : static_cast<double>(albedos[0][channel]);
+    texel[channel] = byte_of(static_cast<double>(kernels.srgb_from_linear(static_cast<float>(albedo))));
   }
-  texel[3] = byte_of(1.0 - std::exp(-area));
+  texel[3] = byte_of(sum.cover / (samples * samples));
+}
+
+// Transmission of the leaf area that stands in the field, from a coarse grid of places.
+glm::vec3 mean_transmission(const Meadow& meadow) {
+  constexpr int kPlaces = 32;
+  glm::dvec3 sum(0.0);
+  double area_sum = 1e-9;
+  sum += area_sum * glm::dvec3(meadow.species.front().species.params.transmission);  // for bare fields
+  for (int n = 0; n < kPlaces * kPlaces; ++n) {
+    const glm::dvec2 place_m =
+        (glm::dvec2(n % kPlaces, n / kPlaces) + 0.5) / static_cast<double>(kPlaces) * meadow.extent_m;
+    for (const PlantedSpecies& species : meadow.species) {
+      const double area = leaf_area_from_above(
+          species.species.params, static_cast<double>(value_at(species.density_per_m2, place_m, 0, 0.0f)));
+      sum += area * glm::dvec3(species.species.params.transmission);
+      area_sum += area;
+    }
+  }
+  return glm::vec3(sum / area_sum);
 }
 
 }  // namespace
 
-double cover_from_above(const SpeciesParams& species, double density_per_m2) {
+double leaf_area_from_above(const SpeciesParams& species, double density_per_m2) {
   const double blade_m2 = static_cast<double>(species.height_m) * static_cast<double>(species.width_m);
-  return 1.0 - std::exp(-kProjectedShare * blade_m2 * density_per_m2);
+  return kProjectedShare * blade_m2 * density_per_m2;
 }
 
 FlatMap make_flat_map(const Meadow& meadow) {
   FlatMap map;
-  map.texel_m = texel_side_m(meadow);
+  const double finest_m = finest_spacing_m(meadow);
+  const double longest_m = std::max(meadow.extent_m.x, meadow.extent_m.y);
+  const double wanted_m = std::max(finest_m, longest_m / (kMostTexels - 1));
+  // A repeating map's last texel meets its first one; otherwise texels lie on both borders.
   const int extra = meadow.repeats ? 0 : 1;
-  map.columns = std::max(1, static_cast<int>(std::lround(meadow.extent_m.x / map.texel_m)) + extra);
-  map.rows = std::max(1, static_cast<int>(std::lround(meadow.extent_m.y / map.texel_m)) + extra);
+  const auto texels = [&](double extent_m) {
+    return std::max(1, static_cast<int>(std::lround(extent_m / wanted_m)));
+  };
+  const glm::ivec2 steps(texels(meadow.extent_m.x), texels(meadow.extent_m.y));
+  const glm::dvec2 texel_m = meadow.extent_m / glm::dvec2(steps);
+  map.columns = steps.x + extra;
+  map.rows = steps.y + extra;
+  map.period_m = texel_m * glm::dvec2(map.columns, map.rows);
+  map.mean_transmission = mean_transmission(meadow);
   map.srgb_and_cover.resize(4 * static_cast<std::size_t>(map.columns) * map.rows);
+  const int samples = std::clamp(static_cast<int>(std::ceil(wanted_m / finest_m - 1e-6)), 1, kMostSamples);
   std::vector<glm::vec3> albedos;
   for (const PlantedSpecies& species : meadow.species) albedos.push_back(mean_albedo(species.species.params));
   oneapi::tbb::parallel_for(0, map.rows, [&](int row) {
     for (int column = 0; column < map.columns; ++column) {
-      const glm::dvec2 place_m = glm::min(map.texel_m * glm::dvec2(column, row), meadow.extent_m);
-      fill_texel(meadow, albedos, place_m,
+      fill_texel(meadow, albedos, texel_m * glm::dvec2(column, row), texel_m, samples,
                  &map.srgb_and_cover[4 * (static_cast<std::size_t>(row) * map.columns + column)]);
     }
   });

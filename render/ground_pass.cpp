@@ -1,6 +1,7 @@
 #include "render/ground_pass.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "render/flat_map.h"
@@ -24,7 +25,7 @@ static_assert(sizeof(Vertex) == 12);
 struct PatchParams {
   glm::vec2 anchor_from_corner_m;
   float quad_m;
-  float reserved;
+  float unused;  // std430 rounds the struct to its vec2
 };
 
 // Corners of triangles; along a side whose neighbour is coarser, odd vertices move to the even one before
@@ -84,7 +85,8 @@ GroundPass::GroundPass(const World& world, const std::filesystem::path& shader_f
       program_(make_program(shader_folder, {"pass/ground.vert", "pass/ground.frag"})),
       vertex_array_(make_vertex_array()) {
   const FlatMap flat_map = make_flat_map(world.meadow());
-  texel_m_ = flat_map.texel_m;
+  flat_period_m_ = flat_map.period_m;
+  mean_transmission_ = flat_map.mean_transmission;
   flat_map_ = upload_flat_map(flat_map, world.meadow().repeats);
 
   std::vector<std::uint16_t> indices;
@@ -146,6 +148,7 @@ std::uint32_t GroundPass::slot_of(const GroundPatch& patch) {
         return is_old;
       });
     }
+    assert(!free_slots_.empty());  // no view holds as many patches as there are slots
     entry->second.index = free_slots_.back();
     free_slots_.pop_back();
     fill_slot(entry->second.index, patch);

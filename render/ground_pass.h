@@ -11,6 +11,7 @@
 
 #include "lod/frame_plan.h"
 #include "render/gl_objects.h"
+#include "render/light.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -24,7 +25,8 @@ class GroundPass {
   /// Where the mesh's frame has its origin for this eye: whole multiples of the coarsest quad near it, at a
   /// fixed height.
   glm::dvec3 anchor_m(glm::dvec3 eye_m) const;
-  double texel_m() const { return texel_m_; }
+  /// What the frame block tells of the ground for this eye.
+  GroundLook look(glm::dvec3 eye_m) const { return {anchor_m(eye_m), flat_period_m_, mean_transmission_}; }
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
@@ -42,7 +44,8 @@ class GroundPass {
   GlBuffer indices_;
   GlBuffer patch_params_;
   GlTexture flat_map_;
-  double texel_m_ = 1.0;
+  glm::dvec2 flat_period_m_{1.0};
+  glm::vec3 mean_transmission_{0.0f};
   struct IndexRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;

@@ -45,15 +45,9 @@ glm::vec3 flat_response(const FrameParams& frame, glm::vec3 transmission) {
   return sum / static_cast<float>(kTurns * kHeights);
 }
 
-glm::vec3 mean_transmission(const Meadow& meadow) {
-  glm::vec3 sum(0.0f);
-  for (const PlantedSpecies& species : meadow.species) sum += species.species.params.transmission;
-  return sum / static_cast<float>(meadow.species.size());
-}
-
 }  // namespace
 
-FrameParams frame_params(const World& world, const FramePlan& plan, glm::dvec3 anchor_m) {
+FrameParams frame_params(const World& world, const FramePlan& plan, const GroundLook& ground) {
   const Camera& camera = plan.camera;
   const SunSpec& sun = world.scene().sun;
   const Meadow& meadow = world.meadow();
@@ -73,13 +67,13 @@ FrameParams frame_params(const World& world, const FramePlan& plan, glm::dvec3 a
   frame.zenith_radiance = sky * kZenith;
   frame.sun_halo = kSunHalo;
   frame.horizon_radiance = sky * kHorizon;
-  frame.field_extent_x_m = static_cast<float>(meadow.extent_m.x);
-  frame.field_extent_y_m = static_cast<float>(meadow.extent_m.y);
-  frame.ground_from_eye_m = glm::vec3(anchor_m - camera.eye_m);
+  frame.flat_period_x_m = static_cast<float>(ground.flat_period_m.x);
+  frame.flat_period_y_m = static_cast<float>(ground.flat_period_m.y);
+  frame.ground_from_eye_m = glm::vec3(ground.anchor_m - camera.eye_m);
   frame.soil_color = meadow.soil_color;
-  frame.anchor_m = glm::vec2(anchor_m);
+  frame.anchor_m = glm::vec2(ground.anchor_m);
   frame.lod = plan.lod;
-  frame.flat_response = flat_response(frame, mean_transmission(meadow));
+  frame.flat_response = flat_response(frame, ground.mean_transmission);
   return frame;
 }
 

@@ -61,10 +61,9 @@ struct Renderer::Passes {
     return *target;
   }
 
-  void draw(FramePlan& plan, glm::vec2 jitter, FrameStatistics& statistics) {
-    const glm::dvec3 anchor_m = ground.anchor_m(plan.camera.eye_m);
-    FrameParams frame = frame_params(*world, plan, anchor_m);
-    frame.ground_texel_m = static_cast<float>(ground.texel_m());
+  void draw(const FramePlan& plan, glm::vec2 jitter, FrameStatistics& statistics) {
+    const GroundLook look = ground.look(plan.camera.eye_m);
+    FrameParams frame = frame_params(*world, plan, look);
     frame.jitter = jitter;
     exposure = frame.exposure;
     frame_block.upload(&frame, sizeof(frame));
@@ -78,7 +77,7 @@ struct Renderer::Passes {
     glDisable(GL_CULL_FACE);
     // Blades first: they hide most of the ground, whose fragments cost more.
     blades.draw(plan);
-    ground.draw(plan, anchor_m);
+    ground.draw(plan, look.anchor_m);
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
     const glm::mat3 scene_from_view = view_directions(plan.camera);
@@ -127,7 +126,7 @@ Renderer::~Renderer() = default;
 
 FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options, unsigned target) {
   FrameStatistics statistics;
-  FramePlan plan = passes_->plan(camera, options, statistics);
+  const FramePlan plan = passes_->plan(camera, options, statistics);
   const RenderTarget& frame = passes_->target_of(camera, options.msaa);
   frame.begin();
   passes_->draw(plan, glm::vec2(0.0f), statistics);
@@ -140,7 +139,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
   Picture picture;
   picture.width = camera.size_px.x;
   picture.height = camera.size_px.y;
-  FramePlan plan = passes_->plan(camera, options, picture.statistics);
+  const FramePlan plan = passes_->plan(camera, options, picture.statistics);
   const RenderTarget& frame = passes_->target_of(camera, options.msaa);
   const std::size_t values = std::size_t{3} * picture.width * picture.height;
   const std::size_t row_values = std::size_t{3} * picture.width;

@@ -35,9 +35,8 @@ vec4 flat_map_over_footprint(vec2 uv) {
 
 void main() {
   vec2 place_m = frame.anchor_m + (from_eye_m.xy - frame.ground_from_eye_m.xy);
-  vec2 extent_m = vec2(frame.field_extent_x_m, frame.field_extent_y_m);
-  // Texel centres are map nodes, which lie on the field's border.
-  vec4 grass = flat_map_over_footprint((place_m + 0.5 * frame.ground_texel_m) / (extent_m + frame.ground_texel_m));
+  vec2 period_m = vec2(frame.flat_period_x_m, frame.flat_period_y_m);
+  vec4 grass = flat_map_over_footprint(place_m / period_m + 0.5 / vec2(textureSize(flat_map, 0)));
 
   float distance_m = length(from_eye_m);
   float detail = frame.parallel > 0.5 ? 1.0 : saturate(1.5 - distance_m / 60.0);

@@ -7,7 +7,7 @@
 struct PatchParams {
   vec2 anchor_from_corner_m;
   float quad_m;
-  float reserved;
+  float unused;
 };
 layout(std430, binding = 5) readonly buffer PatchTable { PatchParams patches[]; };
 layout(location = 0) uniform uint vertices_per_side;

@@ -15,13 +15,13 @@ struct FrameParams {
   vec3 zenith_radiance;
   float sun_halo;            // exponent of the haze's glow around the sun
   vec3 horizon_radiance;
-  float field_extent_x_m;
+  float flat_period_x_m;     // size of the flat tier's texture in the scene
   vec3 ground_from_eye_m;    // the ground mesh's anchor as seen from the eye
-  float field_extent_y_m;
+  float flat_period_y_m;
   vec3 soil_color;
   float reserved;            // fills the row
   vec3 flat_response;        // radiance of a sward of albedo 1 on level ground, seen from afar
-  float ground_texel_m;      // of the flat tier's texture
+  float reserved_too;
   vec2 anchor_m;             // the anchor's place in the scene
   vec2 jitter;               // sub-pixel shift of clip space
   LodCoefficients lod;
