@@ -7,6 +7,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -105,12 +107,19 @@ glm::ivec2 size_option(const std::string& option, const std::string& text) {
   throw UsageError(option, text, fmt::format("WIDTHxHEIGHT in pixels, each from 1 to {}", kMaxPictureSidePx));
 }
 
+// Endless ground has no last tile, but numbers of tiles must stay numbers.
+constexpr std::int64_t kFarthestTile = 1'000'000;
+
 TileRange tiles_option(const std::string& option, const std::string& text) {
   std::array<int, 4> corners{};
   const std::vector<std::string> parts = split(text, ',');
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const auto value = parts.size() == corners.size() ? whole_number<int>(parts[k]) : std::nullopt;
-    if (!value) throw UsageError(option, text, "four whole numbers i0,j0,i1,j1, both corners inclusive");
+    if (!value || std::abs(std::int64_t{*value}) > kFarthestTile) {
+      throw UsageError(option, text,
+                       fmt::format("four whole numbers i0,j0,i1,j1 from -{0} to {0}, both corners inclusive",
+                                   kFarthestTile));
+    }
     corners[k] = *value;
   }
   const auto [i0, j0, i1, j1] = corners;

@@ -33,21 +33,8 @@ bool Frustum::may_see(const Box& box) const {
   });
 }
 
-bool Frustum::contains(const Box& box) const {
-  return std::all_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
-    const glm::dvec3 hindmost(plane.normal.x >= 0.0 ? box.min_m.x : box.max_m.x,
-                              plane.normal.y >= 0.0 ? box.min_m.y : box.max_m.y,
-                              plane.normal.z >= 0.0 ? box.min_m.z : box.max_m.z);
-    return glm::dot(plane.normal, hindmost - eye_m_) + plane.offset >= 0.0;
-  });
-}
-
 double nearest_distance_m(const Box& box, glm::dvec3 point_m) {
   return glm::length(point_m - glm::clamp(point_m, box.min_m, box.max_m));
-}
-
-double farthest_distance_m(const Box& box, glm::dvec3 point_m) {
-  return glm::length(glm::max(glm::abs(point_m - box.min_m), glm::abs(point_m - box.max_m)));
 }
 
 }  // namespace prairie

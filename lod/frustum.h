@@ -21,8 +21,6 @@ class Frustum {
 
   /// False only if no point of the box is seen.
   bool may_see(const Box& box) const;
-  /// True only if all of the box lies inside.
-  bool contains(const Box& box) const;
 
  private:
   // Points p inside satisfy normal · (p − eye) + offset ≥ 0.
@@ -34,8 +32,7 @@ class Frustum {
   std::array<Plane, 5> planes_;  // near and the four sides; the far plane is at infinity
 };
 
-/// Distance from a point to the nearest and to the farthest point of a box, metres.
+/// Distance from a point to the nearest point of a box, metres.
 double nearest_distance_m(const Box& box, glm::dvec3 point_m);
-double farthest_distance_m(const Box& box, glm::dvec3 point_m);
 
 }  // namespace prairie

@@ -46,15 +46,17 @@ GLuint BladePass::indices_for(std::uint32_t segments) {
   return entry->second.get();
 }
 
-void BladePass::draw(FramePlan& plan) {
+void BladePass::draw(const FramePlan& plan) {
   triangles_drawn_ = 0;
   if (plan.cells.empty()) return;
   batch_.set_tables(plan.tables, species_);
   for (const CellGroup& group : plan.groups) {
-    const std::span<DrawnCell> cells = std::span(plan.cells).subspan(group.first_cell, group.cell_count);
+    std::vector<DrawnCell> cells = pieces_of(
+        std::span(plan.cells).subspan(group.first_cell, group.cell_count), most_blades(sizeof(PosedBlade)));
     const GLuint indices = indices_for(group.segments);
-    for (const CellRun& run : runs_of(cells, kStorageLimitBytes / sizeof(PosedBlade))) {
-      batch_.dispatch(pose_program_.get(), cells.subspan(run.first, run.count), sizeof(PosedBlade), posed_);
+    for (const CellRun& run : runs_of(cells, most_blades(sizeof(PosedBlade)))) {
+      batch_.dispatch(pose_program_.get(), std::span(cells).subspan(run.first, run.count), sizeof(PosedBlade),
+                      posed_);
       glTextureBuffer(posed_texels_.get(), GL_RGBA32UI, posed_.get());
       glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
       glBindTextureUnit(2, batch_.species_texture());

@@ -19,7 +19,7 @@ class BladePass {
   BladePass(const World& world, const std::filesystem::path& shader_folder);
 
   /// The frame block must be bound.
-  void draw(FramePlan& plan);
+  void draw(const FramePlan& plan);
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:

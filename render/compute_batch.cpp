@@ -1,17 +1,37 @@
 #include "render/compute_batch.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 
 namespace prairie {
 namespace {
 
-constexpr std::uint32_t kGroupSize = 64;  // local_size_x of shaders/pass/planting.glsl
+constexpr std::uint32_t kGroupSize = layouts::kPlantingGroup;
+constexpr std::size_t kMostGroups = 65535;  // the least that GL_MAX_COMPUTE_WORK_GROUP_COUNT may be
 
 }  // namespace
 
 std::string_view planting_variant(bool has_features) {
   return has_features ? "FEATURE_MAPS" : "";
+}
+
+std::size_t most_blades(std::size_t element_bytes) {
+  return std::min(kStorageLimitBytes / element_bytes, kMostGroups * kGroupSize);
+}
+
+std::vector<DrawnCell> pieces_of(std::span<const DrawnCell> cells, std::size_t max_blades) {
+  std::vector<DrawnCell> pieces;
+  pieces.reserve(cells.size());
+  for (const DrawnCell& cell : cells) {
+    DrawnCell piece = cell;
+    for (std::uint32_t first = 0; first < cell.drawn; first += piece.drawn) {
+      piece.first_index = cell.first_index + first;
+      piece.drawn = static_cast<std::uint32_t>(std::min<std::size_t>(cell.drawn - first, max_blades));
+      pieces.push_back(piece);
+    }
+  }
+  return pieces;
 }
 
 std::vector<CellRun> runs_of(std::span<const DrawnCell> cells, std::size_t max_blades) {
@@ -53,6 +73,8 @@ void ComputeBatch::dispatch(GLuint program, std::span<DrawnCell> run, std::size_
   glBindTextures(0, 4, textures);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, output.get());
   glProgramUniform1ui(program, 0, blades);
+  // What is drawn from the output's former contents must be done before they are overwritten.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   glDispatchCompute((blades + kGroupSize - 1) / kGroupSize, 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }

@@ -22,7 +22,14 @@ struct CellRun {
   std::uint32_t blades = 0;
 };
 
-/// Cuts cells into runs of at most `max_blades` blades each.
+/// Blades of `element_bytes` that one dispatch can write: a storage buffer's worth, and no more workgroups
+/// than every driver takes.
+std::size_t most_blades(std::size_t element_bytes);
+
+/// The cells, those of more than `max_blades` blades cut into pieces.
+std::vector<DrawnCell> pieces_of(std::span<const DrawnCell> cells, std::size_t max_blades);
+
+/// Cuts cells of at most `max_blades` blades into runs of at most as many.
 std::vector<CellRun> runs_of(std::span<const DrawnCell> cells, std::size_t max_blades);
 
 /// The preprocessor name with which planting shaders are made where feature maps vary; empty elsewhere.

@@ -28,7 +28,9 @@ GlBuffer::GlBuffer() {
 
 void GlBuffer::reserve(std::size_t bytes) {
   if (bytes <= size_bytes_) return;
-  size_bytes_ = std::max(bytes, size_bytes_ + size_bytes_ / 2);
+  // Whole mebibytes, so that slowly growing contents rarely ask for new storage.
+  constexpr std::size_t kStep = std::size_t{1} << 20;
+  size_bytes_ = bytes < kStep ? bytes : (bytes + kStep - 1) / kStep * kStep;
   glNamedBufferData(get(), static_cast<GLsizeiptr>(size_bytes_), nullptr, GL_STREAM_DRAW);
 }
 

@@ -8,14 +8,14 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
 
-layout(binding = 2) uniform samplerBuffer species_texels;  // SpeciesParams, 8 texels each
-layout(binding = 4) uniform usamplerBuffer posed_texels;   // PosedBlade, 5 texels each
+layout(binding = 2) uniform samplerBuffer species_texels;  // SpeciesParams
+layout(binding = 4) uniform usamplerBuffer posed_texels;   // PosedBlade
 layout(location = 0) uniform uint segments;
 
 layout(location = 0) out vec3 radiance;
 
 PosedBlade load_blade(uint index) {
-  int first = int(index) * 5;
+  int first = int(index) * kPosedTexels;
   uvec4 a = texelFetch(posed_texels, first);
   uvec4 b = texelFetch(posed_texels, first + 1);
   uvec4 c = texelFetch(posed_texels, first + 2);
@@ -60,7 +60,7 @@ void main() {
   vec2 ground_xy = vec2(float((blade.species_and_normal >> 12u) & 4095u), float(blade.species_and_normal & 4095u)) / 4095.0f * 2.0f - 1.0f;
   vec3 ground_normal = vec3(ground_xy, sqrt(max(1.0f - dot(ground_xy, ground_xy), 0.0f)));
 
-  vec4 transmission = texelFetch(species_texels, int(blade.species_and_normal >> 24u) * 8 + 3);  // and specular
+  vec4 transmission = texelFetch(species_texels, int(blade.species_and_normal >> 24u) * kSpeciesTexels + 3);  // and specular
   vec3 albedo = mix(unpack_color(blade.root_color), unpack_color(blade.tip_color), t);
   vec3 lit = blade_radiance(frame, albedo, transmission.rgb, transmission.a, t, blade.shade,
                             dot(normal, frame.sun_direction), dot(ground_normal, to_eye));

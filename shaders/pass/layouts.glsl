@@ -6,3 +6,4 @@
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/posed_blade.glsl"
 #include "shaders/shared/species.glsl"
+#include "shaders/shared/texels.glsl"

@@ -3,17 +3,17 @@
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/planting.glsl"
 
-layout(std430, binding = 4) writeonly buffer Blades { uvec4 blade_texels[]; };  // Blade, 4 texels each
+layout(std430, binding = 4) writeonly buffer Blades { uvec4 blade_texels[]; };  // Blade
 
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= blade_count) return;
   DrawnCell drawn = load_cell(cell_of(index));
   PlantedCell cell = drawn.planted;
-  uint k = index - drawn.first_blade;
+  uint k = index - drawn.first_blade + drawn.first_index;
   WarpedRoot root = plant_root(cell, k);
   Blade blade = plant_blade(cell, load_species(cell.species), planting_features(cell, root_in_cell(cell, root)), root, k);
-  uint first = 4u * index;
+  uint first = uint(kBladeTexels) * index;
   blade_texels[first] = floatBitsToUint(vec4(blade.root_m, blade.ground_m, blade.height_m));
   blade_texels[first + 1u] = floatBitsToUint(vec4(blade.width_m, blade.azimuth_rad, blade.tilt_rad, blade.curvature_rad));
   blade_texels[first + 2u] = floatBitsToUint(vec4(blade.lean, blade.hue, blade.dryness));

@@ -3,11 +3,11 @@
 // Cells, species and tables are read through buffer textures: where neighbouring invocations read different places, a
 // software renderer fetches four words from a texel in half the time that it takes to load one from a storage buffer. For the
 // same reason results are stored by whole texels.
-layout(local_size_x = 64) in;
+layout(local_size_x = kPlantingGroup) in;
 
-layout(binding = 0) uniform usamplerBuffer cell_texels;       // DrawnCell, 7 texels each
+layout(binding = 0) uniform usamplerBuffer cell_texels;       // DrawnCell
 layout(binding = 1) uniform samplerBuffer table_texels;       // the cells' tables
-layout(binding = 2) uniform samplerBuffer species_texels;     // SpeciesParams, 8 texels each
+layout(binding = 2) uniform samplerBuffer species_texels;     // SpeciesParams
 layout(binding = 3) uniform usamplerBuffer group_texels;      // first cell of each workgroup
 
 layout(location = 0) uniform uint blade_count;
@@ -23,9 +23,6 @@ Features planting_features(PlantedCell cell, vec2 local_m) {
   return no_features();
 #endif
 }
-
-const int kCellTexels = 7;
-const int kSpeciesTexels = 8;
 
 // The cell that blade `index` of the batch belongs to, from its workgroup's first one on.
 uint cell_of(uint index) {
@@ -44,6 +41,7 @@ DrawnCell load_cell(uint index) {
   uvec4 d = texelFetch(cell_texels, first + 3);
   uvec4 e = texelFetch(cell_texels, first + 4);
   uvec4 f = texelFetch(cell_texels, first + 5);
+  uvec4 g = texelFetch(cell_texels, first + 6);
   DrawnCell cell;
   cell.planted.key = a.xy;
   cell.planted.species = a.z;
@@ -63,6 +61,7 @@ DrawnCell load_cell(uint index) {
   cell.planted.clump_seed = e.w;
   cell.eye_from_tile_m = uintBitsToFloat(f.xyz);
   cell.first_blade = f.w;
+  cell.first_index = g.z;
   return cell;
 }
 

@@ -4,7 +4,7 @@
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/planting.glsl"
 
-layout(std430, binding = 4) writeonly buffer PosedBlades { uvec4 posed_texels[]; };  // PosedBlade, 5 texels each
+layout(std430, binding = 4) writeonly buffer PosedBlades { uvec4 posed_texels[]; };  // PosedBlade
 
 uint packed_normal(uint species, vec3 normal) {
   uint x = uint(int((normal.x * 0.5f + 0.5f) * 4095.0f + 0.5f));
@@ -18,7 +18,7 @@ void main() {
   DrawnCell drawn = load_cell(cell_of(index));
   PlantedCell cell = drawn.planted;
   vec3 eye_from_tile_m = drawn.eye_from_tile_m;
-  uint k = index - drawn.first_blade;
+  uint k = index - drawn.first_blade + drawn.first_index;
 
   SpeciesParams species = load_species(cell.species);
   WarpedRoot root = plant_root(cell, k);
@@ -49,7 +49,7 @@ void main() {
   result.root_color = pack_color(root_albedo(species, blade.hue, blade.dryness) * features.color);
   result.tip_color = pack_color(tip_albedo(species, blade.hue, blade.dryness) * features.color);
   result.species_and_normal = packed_normal(cell.species, normal);
-  uint first = 5u * index;
+  uint first = uint(kPosedTexels) * index;
   posed_texels[first] = floatBitsToUint(vec4(result.base_m, result.width_m));
   posed_texels[first + 1u] = floatBitsToUint(vec4(result.tip_m, result.shade));
   posed_texels[first + 2u] = uvec4(floatBitsToUint(result.base_tangent_m), result.root_color);

@@ -4,7 +4,8 @@ struct DrawnCell {
   PlantedCell planted;
   vec3 eye_from_tile_m;   // the tile's origin as seen from the eye, along the scene's axes
   uint first_blade;       // where its blades begin in the batch's output
-  uint drawn;             // how many of its blades are drawn at most: a prefix
+  uint drawn;             // how many of its blades are drawn at most: those from first_index on
   uint segments;          // along each blade
-  uvec2 reserved;         // fills the struct to a multiple of 16 bytes
+  uint first_index;       // 0, but in the later pieces of a cell too large for one buffer
+  uint reserved;          // fills the struct to a multiple of 16 bytes
 };

@@ -26,6 +26,7 @@ using uint = glm::uint;
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/posed_blade.glsl"
 #include "shaders/shared/species.glsl"
+#include "shaders/shared/texels.glsl"
 
 }  // namespace layouts
 
@@ -37,18 +38,19 @@ using layouts::PlantedCell;
 using layouts::PosedBlade;
 using layouts::SpeciesParams;
 
-static_assert(sizeof(Blade) == 64);
+constexpr std::size_t kTexelBytes = 16;
+static_assert(sizeof(Blade) == kTexelBytes * layouts::kBladeTexels);
 static_assert(offsetof(Blade, lean) == 32);
-static_assert(sizeof(DrawnCell) == 112);
+static_assert(sizeof(DrawnCell) == kTexelBytes * layouts::kCellTexels);
 static_assert(offsetof(DrawnCell, eye_from_tile_m) == 80);
 static_assert(sizeof(FrameParams) == 272);
 static_assert(offsetof(FrameParams, anchor_m) == 224);
 static_assert(offsetof(FrameParams, lod) == 240);
 static_assert(sizeof(LodCoefficients) == 32);
-static_assert(sizeof(PosedBlade) == 80);
+static_assert(sizeof(PosedBlade) == kTexelBytes * layouts::kPosedTexels);
 static_assert(sizeof(PlantedCell) == 80);
 static_assert(offsetof(PlantedCell, clump_lattice) == 32);
-static_assert(sizeof(SpeciesParams) == 128);
+static_assert(sizeof(SpeciesParams) == kTexelBytes * layouts::kSpeciesTexels);
 static_assert(offsetof(SpeciesParams, tip_color) == 16);
 static_assert(offsetof(SpeciesParams, height_m) == 64);
 

@@ -33,42 +33,31 @@ Camera random_camera(std::mt19937& random) {
 TEST(FrustumTest, BoxesWithASeenPointAreKept) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  int seen_boxes = 0, culled = 0, contained = 0;
+  int seen_boxes = 0, culled = 0;
   for (int n = 0; n < 20000; ++n) {
     const Camera camera = random_camera(random);
     const Frustum frustum(camera);
     const glm::dvec3 corner = 25.0 * glm::dvec3(unit(random), unit(random), unit(random));
     const Box box{corner, corner + 4.0 * (1.0 + glm::dvec3(unit(random), unit(random), unit(random)))};
-    bool any = false, all = true;
+    bool any = false;
     for (int point = 0; point < 64; ++point) {
       const glm::dvec3 share = 0.5 + 0.5 * glm::dvec3(unit(random), unit(random), unit(random));
       // Corners, edges and faces as well as the inside.
       const glm::dvec3 place = point < 32 ? glm::round(share) : share;
-      const bool is_seen = sees(camera, glm::mix(box.min_m, box.max_m, place));
-      any |= is_seen;
-      all &= is_seen;
+      any |= sees(camera, glm::mix(box.min_m, box.max_m, place));
     }
     seen_boxes += any;
     ASSERT_TRUE(!any || frustum.may_see(box));
-    if (frustum.contains(box)) {
-      ++contained;
-      ASSERT_TRUE(frustum.may_see(box));
-      // `sees` leaves out a hair's breadth along the edges.
-      ASSERT_TRUE(any || glm::length(box.max_m - box.min_m) < 0.01);
-    }
     culled += !frustum.may_see(box);
   }
   EXPECT_GT(seen_boxes, 1000);
   EXPECT_GT(culled, 5000);
-  EXPECT_GT(contained, 100);
 }
 
 TEST(FrustumTest, DistancesToABox) {
   const Box box{{0, 0, 0}, {2, 3, 4}};
   EXPECT_DOUBLE_EQ(nearest_distance_m(box, {1, 1, 1}), 0.0);
   EXPECT_DOUBLE_EQ(nearest_distance_m(box, {5, 7, 4}), 5.0);
-  EXPECT_DOUBLE_EQ(farthest_distance_m(box, {0, 0, 0}), std::sqrt(4.0 + 9.0 + 16.0));
-  EXPECT_DOUBLE_EQ(farthest_distance_m(box, {1, 1.5, 2}), std::sqrt(1.0 + 2.25 + 4.0));
 }
 
 }  // namespace
