@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/interruption.h"
 #include "app/mapped_file.h"
 #include "app/new_scene_text.h"
 #include "app/usage_error.h"
@@ -26,45 +27,54 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFolderArgument = "DIR";
 
-// Files of the new scene. If one cannot be written, those that were not there before go away again, so that
-// the folder is as empty as it was.
+// Files of the new scene. They are written beside their places and all put there in the end, scene.toml last:
+// if one cannot be written, the folder is as it was.
 class SceneFiles {
  public:
-  explicit SceneFiles(fs::path folder) : folder_(std::move(folder)) {
+  explicit SceneFiles(fs::path folder) : folder_(std::move(folder)), staging_(folder_ / ".new-scene") {
     std::error_code error;
     is_new_folder_ = fs::create_directories(folder_, error);
-    if (error) throw OutputFailure(folder_.string(), "", error.message(), "a folder that can be made");
+    if (!error) fs::create_directory(staging_, error);
+    if (error) {
+      remove_traces();
+      throw OutputFailure(folder_.string(), "", error.message(), "a folder that can be written");
+    }
   }
-  ~SceneFiles() {
-    if (is_complete_) return;
-    std::error_code ignored;
-    for (const fs::path& file : new_files_) fs::remove(file, ignored);
-    if (is_new_folder_) fs::remove(folder_, ignored);
-  }
+  ~SceneFiles() { remove_traces(); }
   SceneFiles(const SceneFiles&) = delete;
   SceneFiles& operator=(const SceneFiles&) = delete;
 
   template <typename Bytes>
   void write(const std::string& name, const Bytes& bytes) {
-    const fs::path path = folder_ / name;
-    std::error_code ignored;
-    const bool is_new = !fs::exists(path, ignored);
-    write_file_atomically(path, bytes);
-    if (is_new) new_files_.push_back(path);
+    write_file_atomically(staging_ / name, bytes);
+    names_.push_back(name);
   }
 
   void copy(const fs::path& source, const std::string& name) { write(name, MappedFile(source).bytes()); }
 
   void finish(const std::string& scene_text) {
     write(kSceneFileName, std::string_view(scene_text));
-    is_complete_ = true;
+    for (const std::string& name : names_) {
+      std::error_code error;
+      fs::rename(staging_ / name, folder_ / name, error);
+      if (error)
+        throw OutputFailure((folder_ / name).string(), "", error.message(), "a file that can be replaced");
+      is_new_folder_ = false;
+    }
   }
 
  private:
+  void remove_traces() {
+    std::error_code ignored;
+    fs::remove_all(staging_, ignored);
+    if (is_new_folder_) fs::remove(folder_, ignored);
+  }
+
+  UninterruptedWrite uninterrupted_;
   fs::path folder_;
-  std::vector<fs::path> new_files_;
+  fs::path staging_;
+  std::vector<std::string> names_;
   bool is_new_folder_ = false;
-  bool is_complete_ = false;
 };
 
 void refuse_occupied_folder(const NewSceneRequest& request) {
