@@ -80,11 +80,12 @@ std::vector<Shot> all_shots(const TileRange& tiles, const ExportOptions& options
   return shots;
 }
 
-ExportedFile export_shot(const Shot& shot, const ExportOptions& options, const World& world,
-                         Renderer& renderer) {
+ExportedFile export_shot(const Shot& shot, const ExportOptions& options, const GlobalOptions& globals,
+                         const World& world, Renderer& renderer) {
   const Camera camera = tile_camera(world.meadow(), shot.tile, shot.view, options.size_px);
   FrameOptions frame;
   frame.tier = shot.tier;
+  frame.memory_budget_bytes = globals.max_memory_bytes;
   const Picture picture = renderer.render(camera, frame, options.samples);
   const std::vector<std::byte> bytes = encoded_picture(picture, PictureFormat::kPng);
 
@@ -118,7 +119,7 @@ int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
   {
     Progress progress("picture", shots.size(), globals.quiet);
     for (const Shot& shot : shots) {
-      manifest.files.push_back(export_shot(shot, options, world, renderer));
+      manifest.files.push_back(export_shot(shot, options, globals, world, renderer));
       progress.advance();
     }
   }

@@ -38,6 +38,7 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   Renderer renderer(world, shader_folder());
   FrameOptions frame;
   frame.tier = options.tier;
+  frame.memory_budget_bytes = globals.max_memory_bytes;
   const Picture picture = renderer.render(camera, frame, options.samples);
   write_output(options.output, encoded_picture(picture, format));
   say_done(fmt::format("{}: {} × {} pixels, {} blades drawn", options.output.string(), picture.width,

@@ -23,7 +23,9 @@ struct ViewCommandOptions {
 int view(const ViewCommandOptions& options, const GlobalOptions& globals) {
   const World world = open_world(options.folder, globals);
   const Camera start = placed_camera(camera_option(options.camera, world), world, options.size_px);
-  view_world(world, start, options.viewer);
+  ViewerOptions viewer = options.viewer;
+  viewer.memory_budget_bytes = globals.max_memory_bytes;
+  view_world(world, start, viewer);
   return kExitFine;
 }
 

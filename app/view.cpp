@@ -48,6 +48,7 @@ class Viewer {
         fly_camera_(start, world.meadow().ground) {
     frame_options_.tier = options.tier;
     frame_options_.msaa = options.msaa;
+    frame_options_.memory_budget_bytes = options.memory_budget_bytes;
     window_.on_key = [this](int key) { press(key); };
   }
 

@@ -1,6 +1,7 @@
 // The viewer: a window in which a person flies over the meadow or walks through it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -14,11 +15,12 @@ namespace prairie {
 struct ViewerOptions {
   Tier tier = Tier::kAuto;
   bool msaa = false;
+  std::uint64_t memory_budget_bytes = 0;            // for what a frame plans
   std::optional<int> frames;                        // closes itself after so many
   std::optional<std::filesystem::path> screenshot;  // of the last of those frames
 };
 
-/// Shows the world until the window is closed. Throws NoSuitableOpenGl.
+/// Shows the world until the window is closed. Throws NoSuitableOpenGl, OverBudget.
 void view_world(const World& world, const Camera& start, const ViewerOptions& options);
 
 }  // namespace prairie

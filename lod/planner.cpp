@@ -1,5 +1,7 @@
 #include "lod/planner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include "lod/frustum.h"
 #include "lod/ground_quadtree.h"
 #include "lod/thinning.h"
+#include "maps/error.h"
 
 namespace prairie {
 namespace {
@@ -34,7 +37,9 @@ class CellSearch {
         blade_m_(blade_m),
         cell_m_(meadow.tile_m / kCellsPerSide) {}
 
-  std::vector<SeenCell> cells() {
+  /// Throws OverBudget where there are more than `most_cells`.
+  std::vector<SeenCell> cells(std::size_t most_cells) {
+    most_cells_ = most_cells;
     int level = 0;
     const double reach_m = std::min(far_m_, 2.0 * glm::length(meadow_.extent_m) + far_from_field_m());
     while (std::ldexp(cell_m_, level) < reach_m && level < 24) ++level;
@@ -71,6 +76,10 @@ class CellSearch {
     const double distance_m = nearest_distance_m(box, camera_.eye_m);
     if (distance_m >= far_m_) return;
     if (level == 0) {
+      if (found_.size() == most_cells_) {
+        throw OverBudget("", "--max-memory", fmt::format("more than {} cells in view", most_cells_),
+                         "a larger budget, a shorter lod.blade_distance_m or fewer tiles in view");
+      }
       // Arithmetic shift and mask: floor and remainder for negative indices too.
       static_assert(kCellsPerSide == 2);
       found_.push_back({{column >> 1, row >> 1}, (row & 1) * kCellsPerSide + (column & 1), distance_m});
@@ -86,6 +95,7 @@ class CellSearch {
   double blade_m_;
   double cell_m_;
   std::vector<SeenCell> found_;
+  std::size_t most_cells_ = 0;
 };
 
 constexpr std::array<std::uint32_t, 5> kSegments = {7, 5, 3, 2, 1};
@@ -96,6 +106,20 @@ std::size_t segment_class(double blade_pixels) {
   std::size_t n = 0;
   while (n < kLeastPixels.size() && blade_pixels < kLeastPixels[n]) ++n;
   return n;
+}
+
+// What a cell in view takes at most: prepared in the cache, and once more in the plan.
+std::size_t bytes_per_cell(const PlantingLattice& lattice) {
+  constexpr std::size_t kGroundTexels = 3;
+  const auto features = static_cast<std::size_t>(lattice.feature_patches);
+  std::size_t bytes =
+      kTexelBytes * (kGroundTexels + (features > 0 ? 2 * (features + 1) * (features + 1) : 0));
+  for (const int patches : lattice.density_patches) {
+    const auto m = static_cast<std::size_t>(patches);
+    bytes += sizeof(PlantedCell) + kTexelBytes * (m + m * (m + 1));
+  }
+  return 2 * bytes + lattice.density_patches.size() * sizeof(DrawnCell) + sizeof(SeenCell) +
+         sizeof(CellTables);
 }
 
 }  // namespace
@@ -127,7 +151,9 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   }
   std::array<std::vector<DrawnCell>, kSegments.size()> classes;
   const double cell_m = meadow_->tile_m / kCellsPerSide;
-  for (const SeenCell& seen : CellSearch(*meadow_, camera, far_m, tallest_blade_m_).cells()) {
+  for (const SeenCell& seen :
+       CellSearch(*meadow_, camera, far_m, tallest_blade_m_)
+           .cells(static_cast<std::size_t>(options.memory_budget_bytes / bytes_per_cell(cache_.lattice())))) {
     const CellTables& tables = cache_.get(seen.tile, seen.cell);
     if (tables.cells.empty()) continue;
     const glm::dvec2 tile_m = tile_origin_m(*meadow_, seen.tile);

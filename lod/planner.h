@@ -3,6 +3,9 @@
 // on camera and meadow alone.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "generator/meadow.h"
 #include "lod/cell_cache.h"
 #include "lod/frame_plan.h"
@@ -14,12 +17,14 @@ struct PlanOptions {
   Tier tier = Tier::kAuto;
   Quality quality = Quality::kMedium;
   double blade_distance_m = 120.0;
+  std::uint64_t memory_budget_bytes = std::numeric_limits<std::uint64_t>::max();  // for cells and plan
 };
 
 class Planner {
  public:
   explicit Planner(const Meadow& meadow);
 
+  /// Throws OverBudget where the cells in view would need more memory than the budget, before it is spent.
   FramePlan plan(const Camera& camera, const PlanOptions& options);
 
  private:

@@ -47,7 +47,8 @@ struct Renderer::Passes {
   FramePlan plan(const Camera& camera, const FrameOptions& options, FrameStatistics& statistics) {
     const auto start = std::chrono::steady_clock::now();
     const LodSpec& lod = world->scene().lod;
-    FramePlan plan = planner.plan(camera, {options.tier, lod.quality, lod.blade_distance_m});
+    FramePlan plan =
+        planner.plan(camera, {options.tier, lod.quality, lod.blade_distance_m, options.memory_budget_bytes});
     statistics.plan_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     statistics.blades_planted_in_view = plan.blades_planted_in_view;

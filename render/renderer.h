@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct FrameStatistics {
 struct FrameOptions {
   Tier tier = Tier::kAuto;
   bool msaa = false;  // 4 samples per pixel
+  std::uint64_t memory_budget_bytes =
+      std::numeric_limits<std::uint64_t>::max();  // for the plan (lod/planner.h)
 };
 
 struct Picture {

@@ -14,6 +14,7 @@
 #include "generator/plant_cell.h"
 #include "generator/tiles.h"
 #include "lod/frustum.h"
+#include "maps/error.h"
 #include "shaders/kernels/kernels.h"
 #include "tests/generator/test_meadow.h"
 
@@ -278,6 +279,16 @@ std::vector<std::pair<float, float>> near_cells(const FramePlan& plan) {
   }
   std::sort(cells.begin(), cells.end());
   return cells;
+}
+
+TEST(PlannerTest, RefusesMoreCellsThanItsBudgetHolds) {
+  const Meadow meadow = level_meadow(kExtentM, uniform_density(100.0));
+  const Camera camera = camera_at({20.0, -5.0, 10.0}, 0.0, -0.5);
+  PlanOptions options;
+  options.memory_budget_bytes = 10'000;
+  EXPECT_THROW(Planner(meadow).plan(camera, options), OverBudget);
+  options.memory_budget_bytes = 10'000'000;
+  EXPECT_FALSE(Planner(meadow).plan(camera, options).cells.empty());
 }
 
 TEST(PlannerTest, FarAwayInARepeatingWorldPlansLikeAtHome) {
