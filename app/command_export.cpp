@@ -80,9 +80,8 @@ std::vector<Shot> all_shots(const TileRange& tiles, const ExportOptions& options
   return shots;
 }
 
-ExportedFile export_shot(const Shot& shot, const ExportOptions& options, const GlobalOptions& globals,
-                         const World& world, Renderer& renderer) {
-  const Camera camera = tile_camera(world.meadow(), shot.tile, shot.view, options.size_px);
+ExportedFile export_shot(const Shot& shot, const Camera& camera, const ExportOptions& options,
+                         const GlobalOptions& globals, const World& world, Renderer& renderer) {
   FrameOptions frame;
   frame.tier = shot.tier;
   frame.memory_budget_bytes = globals.max_memory_bytes;
@@ -106,6 +105,8 @@ int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
   const World world = open_world(options.folder, globals);
   const std::vector<Shot> shots = all_shots(chosen_tiles(options.tiles, world.meadow()), options);
 
+  const double tallest_m = tallest_blade_m(world.meadow());  // once: it reads a whole map
+
   const HeadlessContext context(globals.device);
   Renderer renderer(world, shader_folder());
   make_output_folder(options.output);
@@ -119,7 +120,8 @@ int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
   {
     Progress progress("picture", shots.size(), globals.quiet);
     for (const Shot& shot : shots) {
-      manifest.files.push_back(export_shot(shot, options, globals, world, renderer));
+      const Camera camera = tile_camera(world.meadow(), tallest_m, shot.tile, shot.view, options.size_px);
+      manifest.files.push_back(export_shot(shot, camera, options, globals, world, renderer));
       progress.advance();
     }
   }

@@ -67,12 +67,12 @@ std::string_view tile_view_name(TileView view) {
   return "eye";
 }
 
-Camera tile_camera(const Meadow& meadow, TileId tile, TileView view, glm::ivec2 size_px) {
+Camera tile_camera(const Meadow& meadow, double tallest_m, TileId tile, TileView view, glm::ivec2 size_px) {
   const glm::dvec2 origin_m = tile_origin_m(meadow, tile);
   const glm::dvec2 far_m = origin_m + meadow.tile_m;
   const HeightRange ground = meadow.ground.range(origin_m, far_m);
   const double lowest_m = static_cast<double>(ground.min_m);
-  const double highest_m = static_cast<double>(ground.max_m) + tallest_blade_m(meadow);
+  const double highest_m = static_cast<double>(ground.max_m) + tallest_m;
   const glm::dvec3 middle_m{(origin_m + far_m) / 2.0, (lowest_m + highest_m) / 2.0};
   const double radius_m = glm::length(glm::dvec3(meadow.tile_m, meadow.tile_m, highest_m - lowest_m)) / 2.0;
   const double aspect = static_cast<double>(size_px.x) / static_cast<double>(size_px.y);

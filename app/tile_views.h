@@ -21,6 +21,7 @@ inline constexpr std::array<TileView, 3> kTileViews{TileView::kTop, TileView::kO
 
 std::string_view tile_view_name(TileView view);
 
-Camera tile_camera(const Meadow& meadow, TileId tile, TileView view, glm::ivec2 size_px);
+/// `tallest_m`: no blade of the meadow is longer (generator/meadow.h).
+Camera tile_camera(const Meadow& meadow, double tallest_m, TileId tile, TileView view, glm::ivec2 size_px);
 
 }  // namespace prairie

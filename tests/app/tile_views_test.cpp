@@ -32,7 +32,7 @@ TEST_P(TileViewShapes, TheWholeTileIsInTopAndOblique) {
   const TileId tile{4, 7};
   const glm::dvec3 origin_m{tile_origin_m(meadow, tile), 0.0};
   for (const TileView view : {TileView::kTop, TileView::kOblique}) {
-    const Camera camera = tile_camera(meadow, tile, view, GetParam());
+    const Camera camera = tile_camera(meadow, tallest_blade_m(meadow), tile, view, GetParam());
     for (const double x : {0.0, meadow.tile_m}) {
       for (const double y : {0.0, meadow.tile_m}) {
         for (const double z : {0.0, 0.7}) {
@@ -50,14 +50,14 @@ INSTANTIATE_TEST_SUITE_P(Shapes, TileViewShapes,
 
 TEST(TileViews, TopHasNorthUpAndTheTileFillsTheShorterSide) {
   const Meadow meadow = level_meadow();
-  const Camera camera = tile_camera(meadow, {0, 0}, TileView::kTop, {800, 400});
+  const Camera camera = tile_camera(meadow, tallest_blade_m(meadow), {0, 0}, TileView::kTop, {800, 400});
   EXPECT_NEAR(on_screen(camera, {2.0, 4.0, 0.0}).y, 1.0, 1e-4);
   EXPECT_NEAR(on_screen(camera, {4.0, 2.0, 0.0}).x, 0.5, 1e-4);
 }
 
 TEST(TileViews, EyeStandsThreeMetresSouthAndLooksAtTheMiddle) {
   const Meadow meadow = level_meadow();
-  const Camera camera = tile_camera(meadow, {3, 2}, TileView::kEye, {640, 480});
+  const Camera camera = tile_camera(meadow, tallest_blade_m(meadow), {3, 2}, TileView::kEye, {640, 480});
   EXPECT_NEAR(camera.eye_m.x, 14.0, 1e-9);
   EXPECT_NEAR(camera.eye_m.y, 8.0 - 3.0, 1e-9);
   EXPECT_NEAR(camera.eye_m.z, 1.7, 1e-9);
@@ -66,7 +66,8 @@ TEST(TileViews, EyeStandsThreeMetresSouthAndLooksAtTheMiddle) {
 }
 
 TEST(TileViews, ObliqueLooksDownAtFortyFiveDegrees) {
-  const Camera camera = tile_camera(level_meadow(), {3, 2}, TileView::kOblique, {640, 480});
+  const Meadow meadow = level_meadow();
+  const Camera camera = tile_camera(meadow, tallest_blade_m(meadow), {3, 2}, TileView::kOblique, {640, 480});
   EXPECT_NEAR(camera.pitch_rad, -0.785398163, 1e-6);
 }
 
