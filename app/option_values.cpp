@@ -35,8 +35,11 @@ std::optional<double> finite_number(std::string_view text) {
   return value;
 }
 
-constexpr std::array<std::pair<Tier, std::string_view>, 3> kTierNames{
-    {{Tier::kAuto, "auto"}, {Tier::kHermite, "hermite"}, {Tier::kFlat, "flat"}}};
+constexpr std::array<std::pair<Tier, std::string_view>, 5> kTierNames{{{Tier::kAuto, "auto"},
+                                                                       {Tier::kSpline, "spline"},
+                                                                       {Tier::kHermite, "hermite"},
+                                                                       {Tier::kStrip, "strip"},
+                                                                       {Tier::kFlat, "flat"}}};
 
 }  // namespace
 

@@ -28,8 +28,12 @@ constexpr double kLongestStepS = 0.25;  // a slow frame must not throw the camer
 Tier next_tier(Tier tier) {
   switch (tier) {
     case Tier::kAuto:
+      return Tier::kSpline;
+    case Tier::kSpline:
       return Tier::kHermite;
     case Tier::kHermite:
+      return Tier::kStrip;
+    case Tier::kStrip:
       return Tier::kFlat;
     case Tier::kFlat:
       break;

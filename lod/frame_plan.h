@@ -11,9 +11,9 @@
 
 namespace prairie {
 
-/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide. `kHermite` draws every
-/// planted blade at any distance, `kFlat` none.
-enum class Tier { kAuto, kHermite, kFlat };
+/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide. `kSpline` and
+/// `kHermite` draw every planted blade at any distance, `kStrip` and `kFlat` none.
+enum class Tier { kAuto, kSpline, kHermite, kStrip, kFlat };
 
 /// A run of `FramePlan::cells` whose blades have equally many segments.
 struct CellGroup {

@@ -130,10 +130,10 @@ Planner::Planner(const Meadow& meadow)
 FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   FramePlan plan;
   plan.camera = camera;
-  const bool all = options.tier == Tier::kHermite;
+  const bool all = options.tier == Tier::kHermite || options.tier == Tier::kSpline;
   plan.lod = all ? all_blades() : lod_coefficients(options.quality, options.blade_distance_m);
   plan.ground = ground_patches(*meadow_, camera, kGroundFarM);
-  if (options.tier == Tier::kFlat) {
+  if (options.tier == Tier::kFlat || options.tier == Tier::kStrip) {
     // The ground stands for all blades.
     plan.lod.fade_start_m = -1.0f;
     plan.lod.fade_end_m = 0.0f;

@@ -7,18 +7,27 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lod/camera.h"
 #include "lod/frame_plan.h"
+#include "lod/quality.h"
 #include "world/world.h"
 
 namespace prairie {
 
+/// What one tier of a frame draws.
+struct TierStatistics {
+  std::uint64_t blades = 0;  // of strips and the flat tier: those they stand for
+  std::uint64_t triangles = 0;
+};
+
 struct FrameStatistics {
   std::uint64_t blades_planted_in_view = 0;  // of the cells that the plan holds, before thinning
-  std::uint64_t blades_drawn = 0;
+  std::uint64_t blades_drawn = 0;            // as 3D blades
   std::uint64_t triangles = 0;
+  TierStatistics spline, hermite, strip, flat;
   double plan_ms = 0.0;
 };
 
@@ -27,6 +36,9 @@ struct FrameOptions {
   bool msaa = false;  // 4 samples per pixel
   std::uint64_t memory_budget_bytes =
       std::numeric_limits<std::uint64_t>::max();  // for the plan (lod/planner.h)
+  std::optional<Quality> quality;                 // the scene's, if not given
+  std::optional<glm::dvec3> lod_eye_m;            // tiers are chosen for this eye; the camera's, if not given
+  bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
 };
 
 struct Picture {

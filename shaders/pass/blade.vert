@@ -47,16 +47,9 @@ void main() {
   vec3 along = hermite_derivative(blade.base_m, blade.tip_m, blade.base_tangent_m, blade.tip_tangent_m, t);
   vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-centre_m);
 
-  // A blade seen edge-on is turned part of the way towards the eye: it is folded, not a sheet without thickness.
-  vec3 facing = normalized(outer(along, to_eye));
-  float edge_on = dot(facing, blade.side);
-  vec3 side = normalized(blade.side + facing * (edge_on < 0.0f ? -0.45f : 0.45f));
-  vec3 position_m = centre_m + side * (0.5f * sign * blade.width_m * blade_profile(t));
-
-  vec3 normal = normalized(outer(side, along));
-  if (dot(normal, to_eye) < 0.0f) normal = -normal;
-  // The two halves of a blade are tilted against each other.
-  normal = normalized(normal + side * (0.5f * sign));
+  BladeSurface surface = blade_surface(along, blade.side, to_eye);
+  vec3 position_m = centre_m + surface.side * (0.5f * sign * blade.width_m * blade_profile(t));
+  vec3 normal = sign < 0.0f ? surface.left : (sign > 0.0f ? surface.right : normalized(surface.left + surface.right));
   vec2 ground_xy = vec2(float((blade.species_and_normal >> 12u) & 4095u), float(blade.species_and_normal & 4095u)) / 4095.0f * 2.0f - 1.0f;
   vec3 ground_normal = vec3(ground_xy, sqrt(max(1.0f - dot(ground_xy, ground_xy), 0.0f)));
 
