@@ -1,0 +1,386 @@
+#include "render/sward_response.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+
+#include "render/sward_sample.h"
+#include "shaders/kernels/kernels.h"
+
+namespace prairie {
+namespace {
+
+constexpr int kElevations = SwardResponse::kElevations;
+constexpr int kAzimuths = SwardResponse::kAzimuths;
+constexpr int kDepths = SwardResponse::kDepths;
+
+// Coordinates of the tables. Elevations crowd at grazing angles, where the view changes fastest.
+constexpr double kLowestSine = 0.003;
+// Optical depth τ lies at τ/(k + τ), scaled so that the last node is the deepest.
+constexpr double kHalfDepth = 2.0;
+constexpr double kDeepest = 300.0;
+constexpr double kThinnest = 1e-6;  // in place of 0, where weights would vanish
+
+double sine_at(int elevation) {
+  const double lowest = std::sqrt(kLowestSine);
+  const double root = lowest + (1.0 - lowest) * elevation / (kElevations - 1);
+  return root * root;
+}
+
+double depth_at(int depth) {
+  const double x = kDeepest / (kHalfDepth + kDeepest) * depth / (kDepths - 1);
+  return std::max(kHalfDepth * x / (1.0 - x), kThinnest);
+}
+
+// Slices of the sward, from the top; the same for all layers. They hold less leaf area the higher they are.
+constexpr int kSlices = 48;
+constexpr double kTopShare = 0.003;
+
+// What an element's light amounts to per area seen: light from all sides and, times the cosine, on the lit
+// and on the far side. Lanes 0…2 are the free blades' rgb, 3…5 the shaded ones', 6 the contour's strength, 7
+// counts the area itself.
+constexpr int kLanes = 8;
+using Lanes = std::array<float, kLanes>;
+struct Lit {
+  Lanes all_round, front, back;
+};
+
+struct Sheet {
+  double share;  // blades per m² of the mix's leaf area
+  SwardElements elements;
+  std::vector<Lit> lit;
+  std::array<std::size_t, kSlices + 1> slice_begin;  // into elements
+};
+
+void set(Lanes& lanes, int first, glm::vec3 color) {
+  for (int channel = 0; channel < 3; ++channel)
+    lanes[static_cast<std::size_t>(first + channel)] = color[channel];
+}
+
+// blade_radiance is linear in what falls on each side, so that it is asked once per element, not per view.
+Lit lit_element(const SpeciesParams& species, const FrameParams& light, glm::vec3 albedo, float place) {
+  Kernels kernels;
+  Lit lit{};
+  for (const bool shaded : {false, true}) {
+    const float shade = shaded ? 1.0f : 0.0f;
+    const auto radiance = [&](float n_dot_l) {
+      return kernels.blade_radiance(light, albedo, species.transmission, 0.0f, place, shade, n_dot_l, 1.0f);
+    };
+    const glm::vec3 all_round = radiance(0.0f);
+    const int first = shaded ? 3 : 0;
+    set(lit.all_round, first, all_round);
+    set(lit.front, first, radiance(1.0f) - all_round);
+    set(lit.back, first, radiance(-1.0f) - all_round);
+  }
+  FrameParams white = light;
+  white.horizon_radiance = glm::vec3(1.0f);
+  lit.all_round[6] = kernels
+                         .blade_radiance(white, glm::vec3(0.0f), species.transmission, species.specular,
+                                         place, 0.0f, 0.0f, 0.0f)
+                         .x;
+  lit.all_round[7] = 1.0f;
+  return lit;
+}
+
+std::vector<Sheet> sheets_of(std::span<const SwardLayer> layers, const FrameParams& light) {
+  std::vector<Sheet> sheets(layers.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t s) {
+    const SpeciesParams& species = *layers[s].species;
+    Sheet& sheet = sheets[s];
+    sheet.elements = sward_elements(species);
+    for (std::size_t n = 0; n < sheet.elements.size(); ++n)
+      sheet.lit.push_back(lit_element(species, light, sheet.elements.albedo[n], sheet.elements.place[n]));
+  });
+  double total_area = 0.0;
+  for (std::size_t s = 0; s < layers.size(); ++s) {
+    for (const float area_m2 : sheets[s].elements.area_m2)
+      total_area += layers[s].density_per_m2 * static_cast<double>(area_m2);
+  }
+  assert(total_area > 0.0);
+  for (std::size_t s = 0; s < layers.size(); ++s) sheets[s].share = layers[s].density_per_m2 / total_area;
+  return sheets;
+}
+
+void slice(std::vector<Sheet>& sheets) {
+  struct Piece {
+    float height_m;
+    double area;
+  };
+  std::vector<Piece> pieces;
+  for (const Sheet& sheet : sheets) {
+    for (std::size_t n = 0; n < sheet.elements.size(); ++n) {
+      pieces.push_back(
+          {sheet.elements.height_m[n], sheet.share * static_cast<double>(sheet.elements.area_m2[n])});
+    }
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return a.height_m > b.height_m; });
+  for (Sheet& sheet : sheets) {
+    sheet.slice_begin.fill(sheet.elements.size());
+    sheet.slice_begin[0] = 0;
+  }
+  double above = 0.0;
+  int next = 1;
+  for (const Piece& piece : pieces) {
+    const double wanted =
+        kTopShare * (std::pow(1.0 + 1.0 / kTopShare, next / static_cast<double>(kSlices)) - 1.0);
+    if (above >= wanted && next < kSlices) {
+      for (Sheet& sheet : sheets) {
+        const auto& heights = sheet.elements.height_m;
+        sheet.slice_begin[static_cast<std::size_t>(next)] = static_cast<std::size_t>(
+            std::partition_point(heights.begin(), heights.end(),
+                                 [&](float height) { return height > piece.height_m; }) -
+            heights.begin());
+      }
+      ++next;
+    }
+    above += piece.area;
+  }
+}
+
+constexpr std::size_t kBlock = 256;
+struct Projected {
+  std::array<float, kBlock> area, front, back;
+};
+
+// Area seen along the view, and that area times the cosines to the sun on the lit and on the far side.
+void project(const SwardElements& elements, std::size_t first, std::size_t count, glm::vec3 to_eye,
+             glm::vec3 sun, Projected& out) {
+  Kernels kernels;
+  const float* ax = elements.along_x.data() + first;
+  const float* ay = elements.along_y.data() + first;
+  const float* az = elements.along_z.data() + first;
+  const float* sx = elements.side_x.data() + first;
+  const float* sy = elements.side_y.data() + first;
+  const float* sz = elements.side_z.data() + first;
+  const float* reach = elements.reach_m.data() + first;
+  for (std::size_t n = 0; n < count; ++n) {
+    const glm::vec3 along(ax[n], ay[n], az[n]);
+    const glm::vec3 side(sx[n], sy[n], sz[n]);
+    const auto surface = kernels.blade_surface(along, side, to_eye);
+    const float area = reach[n] * glm::abs(kernels.inner(kernels.outer(surface.side, along), to_eye));
+    const float left = kernels.inner(surface.left, sun);
+    const float right = kernels.inner(surface.right, sun);
+    out.area[n] = area;
+    out.front[n] = 0.5f * area * (glm::max(left, 0.0f) + glm::max(right, 0.0f));
+    out.back[n] = 0.5f * area * (glm::max(-left, 0.0f) + glm::max(-right, 0.0f));
+  }
+}
+
+Lanes sums_of(const Sheet& sheet, std::size_t first, std::size_t last, glm::vec3 to_eye, glm::vec3 sun) {
+  Lanes sums{};
+  Projected projected;
+  for (std::size_t block = first; block < last; block += kBlock) {
+    const std::size_t count = std::min(kBlock, last - block);
+    project(sheet.elements, block, count, to_eye, sun, projected);
+    for (std::size_t n = 0; n < count; ++n) {
+      const Lit& lit = sheet.lit[block + n];
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        sums[lane] += projected.area[n] * lit.all_round[lane] + projected.front[n] * lit.front[lane] +
+                      projected.back[n] * lit.back[lane];
+      }
+    }
+  }
+  return sums;
+}
+
+// One view: sums by sheet and slice.
+using View = std::vector<std::array<Lanes, kSlices>>;
+
+struct Seen {
+  glm::dvec3 free{0.0}, shaded{0.0};
+  double area = 0.0;
+  Seen& operator+=(const Seen& other) {
+    free += other.free;
+    shaded += other.shaded;
+    area += other.area;
+    return *this;
+  }
+};
+
+// What is seen of each sheet at an optical depth. Within a slice leaf area lies evenly, so that its mean
+// visibility is e^(−τ above) (1 − e^(−Δτ)) / Δτ.
+std::vector<Seen> seen_at(const std::vector<Sheet>& sheets, const View& view, double projected, double depth,
+                          glm::dvec3 contour) {
+  std::vector<Seen> seen(sheets.size());
+  double above = 0.0;
+  for (std::size_t b = 0; b < kSlices; ++b) {
+    double slice = 0.0;
+    for (std::size_t s = 0; s < sheets.size(); ++s)
+      slice += sheets[s].share * static_cast<double>(view[s][b][7]);
+    slice *= depth / projected;
+    const double visible = std::exp(-above) * (slice > 1e-9 ? -std::expm1(-slice) / slice : 1.0);
+    for (std::size_t s = 0; s < sheets.size(); ++s) {
+      const Lanes& sums = view[s][b];
+      const double weight = visible * sheets[s].share;
+      const glm::dvec3 rim = contour * static_cast<double>(sums[6]);
+      seen[s] +=
+          {weight * (glm::dvec3(sums[0], sums[1], sums[2]) + rim),
+           weight * (glm::dvec3(sums[3], sums[4], sums[5]) + rim), weight * static_cast<double>(sums[7])};
+    }
+    above += slice;
+  }
+  return seen;
+}
+
+void store(SwardResponse::Colors& colors, std::size_t node, const Seen& seen, double alpha) {
+  if (seen.area <= 0.0) return;
+  colors.free[node] = glm::vec4(glm::dvec4(seen.free / seen.area, alpha));
+  colors.shaded[node] = glm::vec4(glm::dvec4(seen.shaded / seen.area, alpha));
+}
+
+SwardResponse::Colors blank_colors() {
+  constexpr std::size_t kNodes = static_cast<std::size_t>(kElevations) * kAzimuths * kDepths;
+  return {std::vector<glm::vec4>(kNodes, glm::vec4(0.0f)), std::vector<glm::vec4>(kNodes, glm::vec4(0.0f))};
+}
+
+double area_seen(const Sheet& sheet, const std::array<Lanes, kSlices>& slices) {
+  double sum = 0.0;
+  for (const Lanes& lanes : slices) sum += static_cast<double>(lanes[7]);
+  return sheet.share * sum;
+}
+
+// All that is seen from one elevation.
+void fill_elevation(const std::vector<Sheet>& sheets, const FrameParams& light, int elevation,
+                    SwardResponse& response) {
+  const double sine = sine_at(elevation);
+  const double cosine = std::sqrt(std::max(1.0 - sine * sine, 0.0));
+  const auto sun_z = static_cast<double>(light.sun_direction.z);
+  const glm::vec3 sun(static_cast<float>(std::sqrt(std::max(1.0 - sun_z * sun_z, 0.0))), 0.0f,
+                      light.sun_direction.z);
+  std::array<View, kAzimuths> views;
+  std::array<glm::vec3, kAzimuths> to_eye;
+  for (int a = 0; a < kAzimuths; ++a) {
+    const double azimuth = std::numbers::pi * a / (kAzimuths - 1);
+    to_eye[static_cast<std::size_t>(a)] =
+        glm::vec3(glm::dvec3(cosine * std::cos(azimuth), cosine * std::sin(azimuth), sine));
+    views[static_cast<std::size_t>(a)].resize(sheets.size());
+  }
+  for (std::size_t s = 0; s < sheets.size(); ++s) {
+    for (std::size_t b = 0; b < kSlices; ++b) {
+      for (std::size_t a = 0; a < kAzimuths; ++a) {
+        views[a][s][b] =
+            sums_of(sheets[s], sheets[s].slice_begin[b], sheets[s].slice_begin[b + 1], to_eye[a], sun);
+      }
+    }
+  }
+
+  // From where the sun stands does not change what one sees, but where the sample blades happen to point.
+  const auto e = static_cast<std::size_t>(elevation);
+  double mean_projected = 0.0;
+  for (std::size_t s = 0; s < sheets.size(); ++s) {
+    double sum = 0.0;
+    for (const View& view : views) sum += area_seen(sheets[s], view[s]) / kAzimuths;
+    mean_projected += sum;
+    const double area = sheets[s].share * response.layers[s].blade_area_m2;
+    response.layers[s].projected[e] = static_cast<float>(area > 0.0 ? sum / area : 0.0);
+  }
+  response.projected[e] = static_cast<float>(mean_projected);
+
+  const auto up = static_cast<float>(sine);
+  const glm::dvec3 contour =
+      glm::dvec3(light.horizon_radiance) * static_cast<double>(Kernels{}.power10(1.0f - up));
+  for (int a = 0; a < kAzimuths; ++a) {
+    const View& view = views[static_cast<std::size_t>(a)];
+    double projected = 0.0;
+    for (std::size_t s = 0; s < sheets.size(); ++s) projected += area_seen(sheets[s], view[s]);
+    for (int d = 0; d < kDepths; ++d) {
+      const std::size_t node = static_cast<std::size_t>((d * kAzimuths + a) * kElevations) + e;
+      const std::vector<Seen> seen = seen_at(sheets, view, projected, depth_at(d), contour);
+      Seen all;
+      for (const Seen& one : seen) all += one;
+      store(response.colors, node, all, mean_projected);
+      for (std::size_t s = 0; s < sheets.size(); ++s)
+        store(response.layers[s].colors, node, seen[s], seen[s].area / all.area);
+    }
+  }
+}
+
+}  // namespace
+
+SwardResponse sward_response(std::span<const SwardLayer> layers, const FrameParams& light) {
+  std::vector<Sheet> sheets = sheets_of(layers, light);
+  slice(sheets);
+  SwardResponse response;
+  response.projected.resize(kElevations);
+  response.colors = blank_colors();
+  for (const Sheet& sheet : sheets) {
+    SwardResponse::Layer layer;
+    for (const float area_m2 : sheet.elements.area_m2) layer.blade_area_m2 += static_cast<double>(area_m2);
+    layer.projected.resize(kElevations);
+    layer.colors = blank_colors();
+    response.layers.push_back(std::move(layer));
+  }
+  oneapi::tbb::parallel_for(0, kElevations,
+                            [&](int elevation) { fill_elevation(sheets, light, elevation, response); });
+  return response;
+}
+
+glm::vec3 sward_place(double sin_elevation, double azimuth_to_sun_rad, double optical_depth) {
+  const double lowest = std::sqrt(kLowestSine);
+  const double x = (std::sqrt(std::max(sin_elevation, 0.0)) - lowest) / (1.0 - lowest);
+  const double y = std::abs(azimuth_to_sun_rad) / std::numbers::pi;
+  const double z = optical_depth / (kHalfDepth + optical_depth) * (kHalfDepth + kDeepest) / kDeepest;
+  return glm::vec3(glm::clamp(glm::dvec3(x, y, z), 0.0, 1.0));
+}
+
+namespace {
+
+// A coordinate's nodes and how far it lies towards the second one.
+struct Between {
+  int first, second;
+  float share;
+};
+
+Between between(float coordinate, int nodes) {
+  const float at = coordinate * static_cast<float>(nodes - 1);
+  const int first = std::min(static_cast<int>(at), nodes - 1);
+  return {first, std::min(first + 1, nodes - 1), at - static_cast<float>(first)};
+}
+
+glm::vec4 read(const std::vector<glm::vec4>& table, glm::vec3 place) {
+  const Between x = between(place.x, kElevations);
+  const Between y = between(place.y, kAzimuths);
+  const Between z = between(place.z, kDepths);
+  const auto row = [&](int depth, int azimuth) {
+    const auto begin = static_cast<std::size_t>((depth * kAzimuths + azimuth) * kElevations);
+    return glm::mix(table[begin + static_cast<std::size_t>(x.first)],
+                    table[begin + static_cast<std::size_t>(x.second)], x.share);
+  };
+  return glm::mix(glm::mix(row(z.first, y.first), row(z.first, y.second), y.share),
+                  glm::mix(row(z.second, y.first), row(z.second, y.second), y.share), z.share);
+}
+
+double depth_of(const SwardResponse& response, double sin_elevation, double leaf_area) {
+  const Between x = between(sward_place(sin_elevation, 0.0, 0.0).x, kElevations);
+  const float projected = glm::mix(response.projected[static_cast<std::size_t>(x.first)],
+                                   response.projected[static_cast<std::size_t>(x.second)], x.share);
+  return leaf_area * static_cast<double>(projected) / std::max(sin_elevation, kLowestSine);
+}
+
+}  // namespace
+
+SwardLook look(const SwardResponse& response, double sin_elevation, double azimuth_to_sun_rad,
+               double leaf_area, float shade) {
+  const double depth = depth_of(response, sin_elevation, leaf_area);
+  const glm::vec3 place = sward_place(sin_elevation, azimuth_to_sun_rad, depth);
+  const glm::vec4 color =
+      glm::mix(read(response.colors.free, place), read(response.colors.shaded, place), shade);
+  return {glm::vec3(color), static_cast<float>(-std::expm1(-depth))};
+}
+
+SwardLook look_of_layer(const SwardResponse& response, std::size_t layer, double sin_elevation,
+                        double azimuth_to_sun_rad, double leaf_area, float shade) {
+  const double depth = depth_of(response, sin_elevation, leaf_area);
+  const glm::vec3 place = sward_place(sin_elevation, azimuth_to_sun_rad, depth);
+  const SwardResponse::Colors& colors = response.layers[layer].colors;
+  const glm::vec4 color = glm::mix(read(colors.free, place), read(colors.shaded, place), shade);
+  return {glm::vec3(color), color.w * static_cast<float>(-std::expm1(-depth))};
+}
+
+}  // namespace prairie
