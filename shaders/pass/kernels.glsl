@@ -11,6 +11,7 @@
 #include "shaders/kernels/weight.glsl"
 #include "shaders/kernels/pose.glsl"
 #include "shaders/kernels/hermite.glsl"
+#include "shaders/kernels/chain.glsl"
 #include "shaders/kernels/blade_surface.glsl"
 #include "shaders/kernels/color.glsl"
 #include "shaders/kernels/lighting.glsl"
