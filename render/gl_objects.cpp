@@ -19,6 +19,9 @@ void destroy_vertex_array(GLuint name) {
 void destroy_program(GLuint name) {
   glDeleteProgram(name);
 }
+void destroy_query(GLuint name) {
+  glDeleteQueries(1, &name);
+}
 
 GlBuffer::GlBuffer() {
   GLuint name = 0;
@@ -57,6 +60,12 @@ GlTexture make_texture(GLenum target) {
   GLuint name = 0;
   glCreateTextures(target, 1, &name);
   return GlTexture(name);
+}
+
+GlQuery make_timestamp_query() {
+  GLuint name = 0;
+  glCreateQueries(GL_TIMESTAMP, 1, &name);
+  return GlQuery(name);
 }
 
 }  // namespace prairie

@@ -34,11 +34,13 @@ void destroy_texture(GLuint name);
 void destroy_framebuffer(GLuint name);
 void destroy_vertex_array(GLuint name);
 void destroy_program(GLuint name);
+void destroy_query(GLuint name);
 
 using GlTexture = GlName<destroy_texture>;
 using GlFramebuffer = GlName<destroy_framebuffer>;
 using GlVertexArray = GlName<destroy_vertex_array>;
 using GlProgram = GlName<destroy_program>;
+using GlQuery = GlName<destroy_query>;
 
 /// A buffer whose storage grows as it is asked to.
 class GlBuffer {
@@ -80,5 +82,6 @@ class TexelBuffer {
 GlVertexArray make_vertex_array();
 GlFramebuffer make_framebuffer();
 GlTexture make_texture(GLenum target);
+GlQuery make_timestamp_query();
 
 }  // namespace prairie

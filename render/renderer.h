@@ -13,6 +13,7 @@
 #include "lod/camera.h"
 #include "lod/frame_plan.h"
 #include "lod/quality.h"
+#include "render/stage_time.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -29,6 +30,7 @@ struct FrameStatistics {
   std::uint64_t triangles = 0;
   TierStatistics spline, hermite, strip, flat;
   double plan_ms = 0.0;
+  std::vector<StageTime> gpu_times;  // of a frame some frames ago
 };
 
 struct FrameOptions {
