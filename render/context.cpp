@@ -89,7 +89,7 @@ struct HeadlessContext::Egl {
   }
 
   /// An empty string if the context is made and current, else why not.
-  std::string open(EGLDisplay candidate) {
+  std::string open(EGLDisplay candidate, const ContextOptions& options) {
     display = candidate;
     if (display == EGL_NO_DISPLAY) return "no display";
     EGLint major = 0, minor = 0;
@@ -103,14 +103,7 @@ struct HeadlessContext::Egl {
       return "no contexts without configuration and surface";
     }
     if (!eglBindAPI(EGL_OPENGL_API)) return "no desktop OpenGL";
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
-    context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    context = make_context(options.debug);
     if (context == EGL_NO_CONTEXT)
       return fmt::format("no OpenGL 4.5 core context (EGL error 0x{:x})", eglGetError());
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
@@ -119,13 +112,22 @@ struct HeadlessContext::Egl {
       return fmt::format("OpenGL {}.{}", epoxy_gl_version() / 10, epoxy_gl_version() % 10);
     return "";
   }
+
+  EGLContext make_context(bool debug) {
+    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       4,
+                                   EGL_CONTEXT_MINOR_VERSION,       5,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    attributes.push_back(EGL_NONE);
+    return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+  }
 };
 
-HeadlessContext::HeadlessContext(const std::optional<std::string>& device) {
+HeadlessContext::HeadlessContext(const std::optional<std::string>& device, const ContextOptions& options) {
   std::vector<std::string> attempts;
   const auto attempt = [&](const std::string& name, EGLDisplay display) {
     auto egl = std::make_unique<Egl>();
-    const std::string fault = egl->open(display);
+    const std::string fault = egl->open(display, options);
     if (fault.empty()) {
       egl_ = std::move(egl);
       return true;

@@ -9,11 +9,15 @@
 
 namespace prairie {
 
+struct ContextOptions {
+  bool debug = false;  // the driver checks calls more closely and says more (render/gl_debug.h); slower
+};
+
 class HeadlessContext {
  public:
   /// `device`: an index or a name (or part of one) from `list_devices`. Throws NoSuitableOpenGl listing every
   /// attempt.
-  explicit HeadlessContext(const std::optional<std::string>& device);
+  explicit HeadlessContext(const std::optional<std::string>& device, const ContextOptions& options = {});
   ~HeadlessContext();
   HeadlessContext(HeadlessContext&&) noexcept;
   HeadlessContext& operator=(HeadlessContext&&) noexcept;
