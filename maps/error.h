@@ -34,6 +34,11 @@ struct NoSuitableOpenGl : Fault {
   using Fault::Fault;
 };
 
+/// An OpenGL context that there was and that is no more (render/graphics_reset.h).
+struct LostContext : NoSuitableOpenGl {
+  using NoSuitableOpenGl::NoSuitableOpenGl;
+};
+
 /// A byte budget (`--max-memory`) that would be exceeded; raised before the memory is asked for.
 struct OverBudget : Fault {
   using Fault::Fault;

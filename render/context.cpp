@@ -103,7 +103,9 @@ struct HeadlessContext::Egl {
       return "no contexts without configuration and surface";
     }
     if (!eglBindAPI(EGL_OPENGL_API)) return "no desktop OpenGL";
-    context = make_context(options.debug);
+    // Not every driver tells of resets (render/graphics_reset.h), and some refuse to be asked to.
+    context = make_context(options.debug, EGL_LOSE_CONTEXT_ON_RESET);
+    if (context == EGL_NO_CONTEXT) context = make_context(options.debug, EGL_NO_RESET_NOTIFICATION);
     if (context == EGL_NO_CONTEXT)
       return fmt::format("no OpenGL 4.5 core context (EGL error 0x{:x})", eglGetError());
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
@@ -113,11 +115,13 @@ struct HeadlessContext::Egl {
     return "";
   }
 
-  EGLContext make_context(bool debug) {
+  EGLContext make_context(bool debug, EGLint on_reset) {
     std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       4,
                                    EGL_CONTEXT_MINOR_VERSION,       5,
                                    EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
     if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    if (on_reset != EGL_NO_RESET_NOTIFICATION)
+      attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, on_reset});
     attributes.push_back(EGL_NONE);
     return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
   }

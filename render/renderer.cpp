@@ -10,6 +10,7 @@
 
 #include "lod/planner.h"
 #include "render/blade_pass.h"
+#include "render/graphics_reset.h"
 #include "render/ground_pass.h"
 #include "render/light.h"
 #include "render/render_target.h"
@@ -132,6 +133,7 @@ FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options
   frame.begin();
   passes_->draw(plan, glm::vec2(0.0f), statistics);
   passes_->tone_map(frame.resolved(), target, camera.size_px);
+  check_context();
   return statistics;
 }
 
@@ -154,6 +156,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
     glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_FLOAT, pixels.data());
     for (std::size_t n = 0; n < values; ++n) sum[n] += static_cast<double>(pixels[n]);
   }
+  check_context();
   picture.linear_rgb.resize(values);
   picture.srgb.resize(values);
   Kernels kernels;
