@@ -21,8 +21,8 @@ constexpr int kDepths = SwardResponse::kDepths;
 
 // Coordinates of the tables. Elevations crowd at grazing angles, where the view changes fastest.
 constexpr double kLowestSine = 0.003;
-// Optical depth τ lies at τ/(k + τ), scaled so that the last node is the deepest.
-constexpr double kHalfDepth = 2.0;
+// Optical depth τ lies at log(1 + τ), scaled so that the last node is the deepest: a fine step of colour for
+// each doubling, since the deeper a sward is, the higher and thinner is the layer of it that one sees.
 constexpr double kDeepest = 300.0;
 constexpr double kThinnest = 1e-6;  // in place of 0, where weights would vanish
 
@@ -33,8 +33,7 @@ double sine_at(int elevation) {
 }
 
 double depth_at(int depth) {
-  const double x = kDeepest / (kHalfDepth + kDeepest) * depth / (kDepths - 1);
-  return std::max(kHalfDepth * x / (1.0 - x), kThinnest);
+  return std::max(std::expm1(std::log1p(kDeepest) * depth / (kDepths - 1)), kThinnest);
 }
 
 // Slices of the sward, from the top; the same for all layers. They hold less leaf area the higher they are.
@@ -63,7 +62,7 @@ void set(Lanes& lanes, int first, glm::vec3 color) {
 }
 
 // blade_radiance is linear in what falls on each side, so that it is asked once per element, not per view.
-Lit lit_element(const SpeciesParams& species, const FrameParams& light, glm::vec3 albedo, float place) {
+Lit lit_at(const SpeciesParams& species, const FrameParams& light, glm::vec3 albedo, float place) {
   Kernels kernels;
   Lit lit{};
   for (const bool shaded : {false, true}) {
@@ -87,6 +86,29 @@ Lit lit_element(const SpeciesParams& species, const FrameParams& light, glm::vec
   return lit;
 }
 
+void add(Lanes& sum, const Lanes& lanes, float share) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] += share * lanes[lane];
+}
+
+// Blades are lit at their vertices, and between them the picture interpolates.
+Lit lit_element(const SpeciesParams& species, const FrameParams& light, const SwardElements& elements,
+                std::size_t n) {
+  Kernels kernels;
+  const float at = elements.place[n] * kSwardSegments;
+  const float before = std::floor(at);
+  Lit lit{};
+  for (const bool upper : {false, true}) {
+    const float place = (upper ? before + 1.0f : before) / kSwardSegments;
+    const float share = upper ? at - before : 1.0f - (at - before);
+    const Lit vertex =
+        lit_at(species, light, kernels.mixed(elements.root_albedo[n], elements.tip_albedo[n], place), place);
+    add(lit.all_round, vertex.all_round, share);
+    add(lit.front, vertex.front, share);
+    add(lit.back, vertex.back, share);
+  }
+  return lit;
+}
+
 std::vector<Sheet> sheets_of(std::span<const SwardLayer> layers, const FrameParams& light) {
   std::vector<Sheet> sheets(layers.size());
   oneapi::tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t s) {
@@ -94,7 +116,7 @@ std::vector<Sheet> sheets_of(std::span<const SwardLayer> layers, const FramePara
     Sheet& sheet = sheets[s];
     sheet.elements = sward_elements(species);
     for (std::size_t n = 0; n < sheet.elements.size(); ++n)
-      sheet.lit.push_back(lit_element(species, light, sheet.elements.albedo[n], sheet.elements.place[n]));
+      sheet.lit.push_back(lit_element(species, light, sheet.elements, n));
   });
   double total_area = 0.0;
   for (std::size_t s = 0; s < layers.size(); ++s) {
@@ -159,13 +181,15 @@ void project(const SwardElements& elements, std::size_t first, std::size_t count
   const float* sy = elements.side_y.data() + first;
   const float* sz = elements.side_z.data() + first;
   const float* reach = elements.reach_m.data() + first;
+  const float* folded = elements.folded.data() + first;
   for (std::size_t n = 0; n < count; ++n) {
     const glm::vec3 along(ax[n], ay[n], az[n]);
     const glm::vec3 side(sx[n], sy[n], sz[n]);
     const auto surface = kernels.blade_surface(along, side, to_eye);
     const float area = reach[n] * glm::abs(kernels.inner(kernels.outer(surface.side, along), to_eye));
-    const float left = kernels.inner(surface.left, sun);
-    const float right = kernels.inner(surface.right, sun);
+    const float middle = kernels.inner(kernels.normalized(surface.left + surface.right), sun);
+    const float left = folded[n] > 0.0f ? kernels.inner(surface.left, sun) : middle;
+    const float right = folded[n] > 0.0f ? kernels.inner(surface.right, sun) : middle;
     out.area[n] = area;
     out.front[n] = 0.5f * area * (glm::max(left, 0.0f) + glm::max(right, 0.0f));
     out.back[n] = 0.5f * area * (glm::max(-left, 0.0f) + glm::max(-right, 0.0f));
@@ -325,7 +349,7 @@ glm::vec3 sward_place(double sin_elevation, double azimuth_to_sun_rad, double op
   const double lowest = std::sqrt(kLowestSine);
   const double x = (std::sqrt(std::max(sin_elevation, 0.0)) - lowest) / (1.0 - lowest);
   const double y = std::abs(azimuth_to_sun_rad) / std::numbers::pi;
-  const double z = optical_depth / (kHalfDepth + optical_depth) * (kHalfDepth + kDeepest) / kDeepest;
+  const double z = std::log1p(optical_depth) / std::log1p(kDeepest);
   return glm::vec3(glm::clamp(glm::dvec3(x, y, z), 0.0, 1.0));
 }
 

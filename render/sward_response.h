@@ -36,7 +36,7 @@ struct SwardLayer {
 struct SwardResponse {
   static constexpr int kElevations = 16;
   static constexpr int kAzimuths = 9;
-  static constexpr int kDepths = 8;
+  static constexpr int kDepths = 12;
 
   /// [depth][azimuth][elevation], elevation fastest: a 3-D texture of that width, height and depth.
   struct Colors {

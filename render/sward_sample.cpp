@@ -11,11 +11,11 @@ namespace prairie {
 namespace {
 
 constexpr int kPlanted = 4096;  // of which the samples are taken
-constexpr int kSamples = 640;
-constexpr int kPartsOfABlade = 8;
+constexpr int kSamples = 1024;
+constexpr int kPartsOfABlade = 5;
 constexpr double kTuftsAcross = 40.0;  // of the square that is planted
 // The share of blades at the top of which as many samples are taken as of an eᵗʰ of the rest.
-constexpr double kTallShare = 0.05;
+constexpr double kTallShare = 0.03;
 
 // Level ground with about kPlanted blades of this species, thinly sown, so that hardly two share a tuft.
 std::vector<Blade> sown_blades(const SpeciesParams& params) {
@@ -66,18 +66,32 @@ glm::vec3 turned(glm::vec3 v, float cosine, float sine) {
 
 // A piece of a sample blade.
 struct Element {
-  float height_m, area_m2, reach_m, place;
-  glm::vec3 along, side, albedo;
+  float height_m, area_m2, reach_m, place, folded;
+  glm::vec3 along, side, root_albedo, tip_albedo;
 };
 
-// `weight`: how many of kSamples blades it stands for. Two further coordinates of sample k: the places where
-// it is cut and the direction that it points in; with its rank a well-spread sequence (Roberts 2018, R2).
+// Of the last segment, which light reaches partly by the vertices before it and partly by the tip.
+void add_last(Element element, float towards_tip, std::vector<Element>& out) {
+  const auto add = [&](float share, float place, float folded) {
+    Element part = element;
+    part.area_m2 *= share;
+    part.reach_m *= share;
+    part.place = place;
+    part.folded = folded;
+    out.push_back(part);
+  };
+  add(1.0f - towards_tip, 1.0f - 1.0f / kSwardSegments, 1.0f);
+  add(towards_tip, 1.0f, 0.0f);
+}
+
+// `weight`: how many of kSamples blades it stands for. Where sample k is cut and where it points to follow
+// two irrational steps, so that both are spread well over every run of blades of about one height.
 void cut(const SpeciesParams& species, const SampleBlade& sample, int k, double weight,
          std::vector<Element>& out) {
   Kernels kernels;
   const Kernels::BladeCurve& curve = sample.curve;
   const double offset = fraction(0.7548776662466927 * k);
-  const double heading = 2.0 * std::numbers::pi * fraction(0.5698402909980532 * k);
+  const double heading = 2.0 * std::numbers::pi * fraction(0.6180339887498949 * k);
   const glm::vec3 lean = curve.tip_m - curve.base_m;
   const double turn = heading - std::atan2(static_cast<double>(lean.y), static_cast<double>(lean.x));
   const auto turn_cosine = static_cast<float>(std::cos(turn));
@@ -97,8 +111,15 @@ void cut(const SpeciesParams& species, const SampleBlade& sample, int k, double 
     element.reach_m = share * sample.blade.width_m * kernels.blade_profile(t);
     element.area_m2 = element.reach_m * std::sqrt(kernels.inner(along, along));
     element.place = t;
-    element.albedo = kernels.mixed(root, tip, t);
-    out.push_back(element);
+    element.folded = 1.0f;
+    element.root_albedo = root;
+    element.tip_albedo = tip;
+    const float towards_tip = t * kSwardSegments - (kSwardSegments - 1);
+    if (towards_tip > 0.0f) {
+      add_last(element, towards_tip, out);
+    } else {
+      out.push_back(element);
+    }
   }
 }
 
@@ -107,7 +128,7 @@ void cut(const SpeciesParams& species, const SampleBlade& sample, int k, double 
 SwardElements sward_elements(const SpeciesParams& species) {
   const std::vector<SampleBlade> blades = posed_blades(species);
   std::vector<Element> cuts;
-  cuts.reserve(static_cast<std::size_t>(kSamples) * kPartsOfABlade);
+  cuts.reserve(static_cast<std::size_t>(kSamples) * (kPartsOfABlade + 2));
   for (int k = 0; k < kSamples; ++k) {
     // Ranks with a density of 1/(rank + kTallShare), from 0 (tallest) to 1.
     const double growth = std::log(1.0 + 1.0 / kTallShare);
@@ -131,7 +152,9 @@ SwardElements sward_elements(const SpeciesParams& species) {
     elements.side_y.push_back(cut.side.y);
     elements.side_z.push_back(cut.side.z);
     elements.place.push_back(cut.place);
-    elements.albedo.push_back(cut.albedo);
+    elements.folded.push_back(cut.folded);
+    elements.root_albedo.push_back(cut.root_albedo);
+    elements.tip_albedo.push_back(cut.tip_albedo);
   }
   return elements;
 }

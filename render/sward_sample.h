@@ -13,6 +13,9 @@
 
 namespace prairie {
 
+/// Of a blade near the eye; light is found at its vertices.
+inline constexpr int kSwardSegments = 7;
+
 /// Pieces of blades, ordered from the highest to the lowest; what lies below the ground is left out.
 struct SwardElements {
   std::vector<float> height_m;
@@ -21,7 +24,8 @@ struct SwardElements {
   std::vector<float> along_x, along_y, along_z;  // derivative of the midrib
   std::vector<float> side_x, side_y, side_z;     // across the blade at rest
   std::vector<float> place;                      // along the blade: 0 foot, 1 tip
-  std::vector<glm::vec3> albedo;
+  std::vector<float> folded;  // 1: its two halves are lit by themselves; 0: as one, which the tip is
+  std::vector<glm::vec3> root_albedo, tip_albedo;  // of the blade that it is a piece of
   std::size_t size() const { return height_m.size(); }
 };
 
