@@ -165,14 +165,13 @@ void slice(std::vector<Sheet>& sheets) {
   }
 }
 
-constexpr std::size_t kBlock = 256;
-struct Projected {
-  std::array<float, kBlock> area, front, back;
+// A block of elements as seen along a view: their areas and the normals of their halves.
+constexpr std::size_t kBlock = 128;
+struct Faces {
+  std::array<float, kBlock> area, left_x, left_y, left_z, right_x, right_y, right_z;
 };
 
-// Area seen along the view, and that area times the cosines to the sun on the lit and on the far side.
-void project(const SwardElements& elements, std::size_t first, std::size_t count, glm::vec3 to_eye,
-             glm::vec3 sun, Projected& out) {
+void face(const SwardElements& elements, std::size_t first, std::size_t count, glm::vec3 to_eye, Faces& out) {
   Kernels kernels;
   const float* ax = elements.along_x.data() + first;
   const float* ay = elements.along_y.data() + first;
@@ -186,76 +185,115 @@ void project(const SwardElements& elements, std::size_t first, std::size_t count
     const glm::vec3 along(ax[n], ay[n], az[n]);
     const glm::vec3 side(sx[n], sy[n], sz[n]);
     const auto surface = kernels.blade_surface(along, side, to_eye);
-    const float area = reach[n] * glm::abs(kernels.inner(kernels.outer(surface.side, along), to_eye));
-    const float middle = kernels.inner(kernels.normalized(surface.left + surface.right), sun);
-    const float left = folded[n] > 0.0f ? kernels.inner(surface.left, sun) : middle;
-    const float right = folded[n] > 0.0f ? kernels.inner(surface.right, sun) : middle;
-    out.area[n] = area;
-    out.front[n] = 0.5f * area * (glm::max(left, 0.0f) + glm::max(right, 0.0f));
-    out.back[n] = 0.5f * area * (glm::max(-left, 0.0f) + glm::max(-right, 0.0f));
+    const glm::vec3 middle = kernels.normalized(surface.left + surface.right);
+    const bool fold = folded[n] > 0.0f;
+    out.area[n] = reach[n] * glm::abs(kernels.inner(kernels.outer(surface.side, along), to_eye));
+    out.left_x[n] = fold ? surface.left.x : middle.x;
+    out.left_y[n] = fold ? surface.left.y : middle.y;
+    out.left_z[n] = fold ? surface.left.z : middle.z;
+    out.right_x[n] = fold ? surface.right.x : middle.x;
+    out.right_y[n] = fold ? surface.right.y : middle.y;
+    out.right_z[n] = fold ? surface.right.z : middle.z;
   }
 }
 
-Lanes sums_of(const Sheet& sheet, std::size_t first, std::size_t last, glm::vec3 to_eye, glm::vec3 sun) {
-  Lanes sums{};
-  Projected projected;
+// Sums over the elements of a slice of a sheet, weighted by the area seen: light from all sides, and from the
+// sun at each azimuth.
+struct SliceSums {
+  Lanes all_round{};
+  std::array<Lanes, kAzimuths> sunlit{};
+};
+
+void add_sunlit(const Faces& faces, std::span<const Lit> lit, glm::vec3 sun, Lanes& sums) {
+  std::array<float, kBlock> front, back;
+  for (std::size_t n = 0; n < lit.size(); ++n) {
+    const float left = faces.left_x[n] * sun.x + faces.left_y[n] * sun.y + faces.left_z[n] * sun.z;
+    const float right = faces.right_x[n] * sun.x + faces.right_y[n] * sun.y + faces.right_z[n] * sun.z;
+    front[n] = 0.5f * faces.area[n] * (glm::max(left, 0.0f) + glm::max(right, 0.0f));
+    back[n] = 0.5f * faces.area[n] * (glm::max(-left, 0.0f) + glm::max(-right, 0.0f));
+  }
+  Lanes sum = sums;
+  for (std::size_t n = 0; n < lit.size(); ++n) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      sum[lane] += front[n] * lit[n].front[lane] + back[n] * lit[n].back[lane];
+  }
+  sums = sum;
+}
+
+SliceSums sums_of(const Sheet& sheet, std::size_t first, std::size_t last, glm::vec3 to_eye,
+                  const std::array<glm::vec3, kAzimuths>& suns) {
+  SliceSums sums;
+  Faces faces;
   for (std::size_t block = first; block < last; block += kBlock) {
     const std::size_t count = std::min(kBlock, last - block);
-    project(sheet.elements, block, count, to_eye, sun, projected);
-    for (std::size_t n = 0; n < count; ++n) {
-      const Lit& lit = sheet.lit[block + n];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        sums[lane] += projected.area[n] * lit.all_round[lane] + projected.front[n] * lit.front[lane] +
-                      projected.back[n] * lit.back[lane];
-      }
-    }
+    const std::span<const Lit> lit(sheet.lit.data() + block, count);
+    face(sheet.elements, block, count, to_eye, faces);
+    for (std::size_t n = 0; n < count; ++n) add(sums.all_round, lit[n].all_round, faces.area[n]);
+    for (std::size_t a = 0; a < kAzimuths; ++a) add_sunlit(faces, lit, suns[a], sums.sunlit[a]);
   }
   return sums;
 }
 
-// One view: sums by sheet and slice.
-using View = std::vector<std::array<Lanes, kSlices>>;
+// One elevation: sums by sheet and slice.
+using View = std::vector<std::array<SliceSums, kSlices>>;
 
-struct Seen {
-  glm::dvec3 free{0.0}, shaded{0.0};
-  double area = 0.0;
-  Seen& operator+=(const Seen& other) {
-    free += other.free;
-    shaded += other.shaded;
-    area += other.area;
-    return *this;
-  }
-};
+double area_seen(const Sheet& sheet, const SliceSums& sums) {
+  return sheet.share * static_cast<double>(sums.all_round[7]);
+}
 
-// What is seen of each sheet at an optical depth. Within a slice leaf area lies evenly, so that its mean
-// visibility is e^(−τ above) (1 − e^(−Δτ)) / Δτ.
-std::vector<Seen> seen_at(const std::vector<Sheet>& sheets, const View& view, double projected, double depth,
-                          glm::dvec3 contour) {
-  std::vector<Seen> seen(sheets.size());
+double area_seen(const Sheet& sheet, const std::array<SliceSums, kSlices>& slices) {
+  double sum = 0.0;
+  for (const SliceSums& sums : slices) sum += area_seen(sheet, sums);
+  return sum;
+}
+
+// Share of each slice's leaf area that is seen at an optical depth. Within a slice leaf area lies evenly, so
+// that it is e^(−τ above) (1 − e^(−Δτ)) / Δτ.
+std::array<double, kSlices> visibility(const std::vector<Sheet>& sheets, const View& view, double projected,
+                                       double depth) {
+  std::array<double, kSlices> visible;
   double above = 0.0;
   for (std::size_t b = 0; b < kSlices; ++b) {
     double slice = 0.0;
-    for (std::size_t s = 0; s < sheets.size(); ++s)
-      slice += sheets[s].share * static_cast<double>(view[s][b][7]);
+    for (std::size_t s = 0; s < sheets.size(); ++s) slice += area_seen(sheets[s], view[s][b]);
     slice *= depth / projected;
-    const double visible = std::exp(-above) * (slice > 1e-9 ? -std::expm1(-slice) / slice : 1.0);
-    for (std::size_t s = 0; s < sheets.size(); ++s) {
-      const Lanes& sums = view[s][b];
-      const double weight = visible * sheets[s].share;
-      const glm::dvec3 rim = contour * static_cast<double>(sums[6]);
-      seen[s] +=
-          {weight * (glm::dvec3(sums[0], sums[1], sums[2]) + rim),
-           weight * (glm::dvec3(sums[3], sums[4], sums[5]) + rim), weight * static_cast<double>(sums[7])};
-    }
+    visible[b] = std::exp(-above) * (slice > 1e-9 ? -std::expm1(-slice) / slice : 1.0);
     above += slice;
+  }
+  return visible;
+}
+
+struct Seen {
+  std::array<double, kLanes> lanes{};
+  Seen& operator+=(const Seen& other) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane] += other.lanes[lane];
+    return *this;
+  }
+  double area() const { return lanes[7]; }
+};
+
+Seen seen_of(const Sheet& sheet, const std::array<SliceSums, kSlices>& slices, std::size_t azimuth,
+             const std::array<double, kSlices>& visible) {
+  Seen seen;
+  for (std::size_t b = 0; b < kSlices; ++b) {
+    const double weight = visible[b] * sheet.share;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      seen.lanes[lane] +=
+          weight * static_cast<double>(slices[b].all_round[lane] + slices[b].sunlit[azimuth][lane]);
+    }
   }
   return seen;
 }
 
-void store(SwardResponse::Colors& colors, std::size_t node, const Seen& seen, double alpha) {
-  if (seen.area <= 0.0) return;
-  colors.free[node] = glm::vec4(glm::dvec4(seen.free / seen.area, alpha));
-  colors.shaded[node] = glm::vec4(glm::dvec4(seen.shaded / seen.area, alpha));
+void store(SwardResponse::Colors& colors, std::size_t node, const Seen& seen, glm::dvec3 contour,
+           double alpha) {
+  if (seen.area() <= 0.0) return;
+  const auto& lanes = seen.lanes;
+  const glm::dvec3 rim = contour * lanes[6];
+  const glm::dvec3 free = (glm::dvec3(lanes[0], lanes[1], lanes[2]) + rim) / seen.area();
+  const glm::dvec3 shaded = (glm::dvec3(lanes[3], lanes[4], lanes[5]) + rim) / seen.area();
+  colors.free[node] = glm::vec4(glm::dvec4(free, alpha));
+  colors.shaded[node] = glm::vec4(glm::dvec4(shaded, alpha));
 }
 
 SwardResponse::Colors blank_colors() {
@@ -263,64 +301,51 @@ SwardResponse::Colors blank_colors() {
   return {std::vector<glm::vec4>(kNodes, glm::vec4(0.0f)), std::vector<glm::vec4>(kNodes, glm::vec4(0.0f))};
 }
 
-double area_seen(const Sheet& sheet, const std::array<Lanes, kSlices>& slices) {
-  double sum = 0.0;
-  for (const Lanes& lanes : slices) sum += static_cast<double>(lanes[7]);
-  return sheet.share * sum;
+// The sward being alike all round, the view stays and the sun goes round, which turns each blade only once.
+std::array<glm::vec3, kAzimuths> suns_around(glm::vec3 sun) {
+  std::array<glm::vec3, kAzimuths> suns;
+  const double level = std::hypot(static_cast<double>(sun.x), static_cast<double>(sun.y));
+  for (std::size_t a = 0; a < kAzimuths; ++a) {
+    const double azimuth = std::numbers::pi * static_cast<double>(a) / (kAzimuths - 1);
+    suns[a] = glm::vec3(glm::dvec3(level * std::cos(azimuth), level * std::sin(azimuth), sun.z));
+  }
+  return suns;
 }
 
-// All that is seen from one elevation.
-void fill_elevation(const std::vector<Sheet>& sheets, const FrameParams& light, int elevation,
+void fill_elevation(const std::vector<Sheet>& sheets, const FrameParams& light, std::size_t elevation,
                     SwardResponse& response) {
-  const double sine = sine_at(elevation);
-  const double cosine = std::sqrt(std::max(1.0 - sine * sine, 0.0));
-  const auto sun_z = static_cast<double>(light.sun_direction.z);
-  const glm::vec3 sun(static_cast<float>(std::sqrt(std::max(1.0 - sun_z * sun_z, 0.0))), 0.0f,
-                      light.sun_direction.z);
-  std::array<View, kAzimuths> views;
-  std::array<glm::vec3, kAzimuths> to_eye;
-  for (int a = 0; a < kAzimuths; ++a) {
-    const double azimuth = std::numbers::pi * a / (kAzimuths - 1);
-    to_eye[static_cast<std::size_t>(a)] =
-        glm::vec3(glm::dvec3(cosine * std::cos(azimuth), cosine * std::sin(azimuth), sine));
-    views[static_cast<std::size_t>(a)].resize(sheets.size());
-  }
+  const double sine = sine_at(static_cast<int>(elevation));
+  const glm::vec3 to_eye(glm::dvec3(std::sqrt(std::max(1.0 - sine * sine, 0.0)), 0.0, sine));
+  const std::array<glm::vec3, kAzimuths> suns = suns_around(light.sun_direction);
+  View view(sheets.size());
+  double projected = 0.0;
   for (std::size_t s = 0; s < sheets.size(); ++s) {
-    for (std::size_t b = 0; b < kSlices; ++b) {
-      for (std::size_t a = 0; a < kAzimuths; ++a) {
-        views[a][s][b] =
-            sums_of(sheets[s], sheets[s].slice_begin[b], sheets[s].slice_begin[b + 1], to_eye[a], sun);
-      }
-    }
+    const Sheet& sheet = sheets[s];
+    for (std::size_t b = 0; b < kSlices; ++b)
+      view[s][b] = sums_of(sheet, sheet.slice_begin[b], sheet.slice_begin[b + 1], to_eye, suns);
+    const double seen = area_seen(sheet, view[s]);
+    const double area = sheet.share * response.layers[s].blade_area_m2;
+    response.layers[s].projected[elevation] = static_cast<float>(area > 0.0 ? seen / area : 0.0);
+    projected += seen;
   }
+  response.projected[elevation] = static_cast<float>(projected);
 
-  // From where the sun stands does not change what one sees, but where the sample blades happen to point.
-  const auto e = static_cast<std::size_t>(elevation);
-  double mean_projected = 0.0;
-  for (std::size_t s = 0; s < sheets.size(); ++s) {
-    double sum = 0.0;
-    for (const View& view : views) sum += area_seen(sheets[s], view[s]) / kAzimuths;
-    mean_projected += sum;
-    const double area = sheets[s].share * response.layers[s].blade_area_m2;
-    response.layers[s].projected[e] = static_cast<float>(area > 0.0 ? sum / area : 0.0);
-  }
-  response.projected[e] = static_cast<float>(mean_projected);
-
-  const auto up = static_cast<float>(sine);
-  const glm::dvec3 contour =
-      glm::dvec3(light.horizon_radiance) * static_cast<double>(Kernels{}.power10(1.0f - up));
-  for (int a = 0; a < kAzimuths; ++a) {
-    const View& view = views[static_cast<std::size_t>(a)];
-    double projected = 0.0;
-    for (std::size_t s = 0; s < sheets.size(); ++s) projected += area_seen(sheets[s], view[s]);
-    for (int d = 0; d < kDepths; ++d) {
-      const std::size_t node = static_cast<std::size_t>((d * kAzimuths + a) * kElevations) + e;
-      const std::vector<Seen> seen = seen_at(sheets, view, projected, depth_at(d), contour);
+  const glm::dvec3 contour = glm::dvec3(light.horizon_radiance) *
+                             static_cast<double>(Kernels{}.power10(1.0f - static_cast<float>(sine)));
+  std::vector<Seen> seen(sheets.size());
+  for (std::size_t d = 0; d < kDepths; ++d) {
+    const std::array<double, kSlices> visible =
+        visibility(sheets, view, projected, depth_at(static_cast<int>(d)));
+    for (std::size_t a = 0; a < kAzimuths; ++a) {
+      const std::size_t node = (d * kAzimuths + a) * kElevations + elevation;
       Seen all;
-      for (const Seen& one : seen) all += one;
-      store(response.colors, node, all, mean_projected);
+      for (std::size_t s = 0; s < sheets.size(); ++s) {
+        seen[s] = seen_of(sheets[s], view[s], a, visible);
+        all += seen[s];
+      }
+      store(response.colors, node, all, contour, projected);
       for (std::size_t s = 0; s < sheets.size(); ++s)
-        store(response.layers[s].colors, node, seen[s], seen[s].area / all.area);
+        store(response.layers[s].colors, node, seen[s], contour, seen[s].area() / all.area());
     }
   }
 }
@@ -340,8 +365,9 @@ SwardResponse sward_response(std::span<const SwardLayer> layers, const FramePara
     layer.colors = blank_colors();
     response.layers.push_back(std::move(layer));
   }
-  oneapi::tbb::parallel_for(0, kElevations,
-                            [&](int elevation) { fill_elevation(sheets, light, elevation, response); });
+  oneapi::tbb::parallel_for(
+      std::size_t{0}, static_cast<std::size_t>(kElevations),
+      [&](std::size_t elevation) { fill_elevation(sheets, light, elevation, response); });
   return response;
 }
 
