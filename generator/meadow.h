@@ -33,4 +33,7 @@ struct Meadow {
 /// No blade is longer. Reads the whole map of blade heights.
 double tallest_blade_m(const Meadow& meadow);
 
+/// The largest density of a species. Reads its whole map.
+double densest_per_m2(const PlantedSpecies& species);
+
 }  // namespace prairie

@@ -1,6 +1,5 @@
-// What one frame draws: which cells are seen, how many of their blades, where those go in the renderer's
-// buffers, and which patches of ground. Made by lod/planner.h, drawn by render/; the renderer decides nothing
-// about plants.
+// What one frame draws: which cells are seen, how many of their blades, which tiles stand in strips, and which
+// patches of ground. Made by lod/planner.h, drawn by render/; the renderer decides nothing about plants.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +10,13 @@
 
 namespace prairie {
 
-/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide. `kSpline` and
-/// `kHermite` draw every planted blade at any distance, `kStrip` and `kFlat` none.
+/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide. `kSpline` and `kHermite`
+/// draw every planted blade at any distance, `kStrip` and `kFlat` none.
 enum class Tier { kAuto, kSpline, kHermite, kStrip, kFlat };
 
-/// A run of `FramePlan::cells` whose blades have equally many segments.
+/// A run of `FramePlan::cells` whose blades have the same mesh.
 struct CellGroup {
+  bool is_spline = false;  // else Hermite blades
   std::uint32_t segments = 1;
   std::uint32_t first_cell = 0;
   std::uint32_t cell_count = 0;
@@ -41,13 +41,17 @@ double patch_side_m(int level);
 
 struct FramePlan {
   Camera camera;
+  glm::dvec3 lod_eye_m{0.0};  // for which tiers were chosen
   LodCoefficients lod{};
-  std::vector<DrawnCell> cells;     // grouped by segments, front to back in each group
-  std::vector<CellGroup> groups;    // most segments first
-  std::vector<float> tables;        // what the cells' table words index
+  std::vector<DrawnCell> cells;   // grouped by mesh, front to back in each group
+  std::vector<CellGroup> groups;  // splines first, most segments first
+  std::vector<float> tables;      // what the cells' table words index
+  std::vector<StripTile> strips;  // near ones first
+  std::uint32_t near_strips = 0;  // how many of them follow the ground in kStripQuads quads a side; the rest in one
   std::vector<GroundPatch> ground;  // front to back
-  std::uint64_t blades_planted_in_view = 0;
-  std::uint64_t blades_drawn = 0;
+  std::uint64_t blades_planted_in_view = 0;  // of tiles in strips: the maps' expectation
+  std::uint64_t blades_drawn = 0;            // as 3D blades, at most
+  std::uint64_t blades_in_strips = 0;        // that strips stand for
 };
 
 }  // namespace prairie

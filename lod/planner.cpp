@@ -1,16 +1,15 @@
 #include "lod/planner.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "lod/frustum.h"
 #include "lod/ground_quadtree.h"
+#include "lod/strip_plan.h"
 #include "lod/thinning.h"
-#include "maps/error.h"
+#include "lod/tile_search.h"
+#include "shaders/kernels/kernels.h"
 
 namespace prairie {
 namespace {
@@ -19,84 +18,10 @@ namespace {
 constexpr double kGroundFarM = 5000.0;
 // Where every blade is asked for and the field repeats endlessly, this is where it ends.
 constexpr double kAllBladesFarM = 1000.0;
-
-struct SeenCell {
-  TileId tile;
-  int cell;
-  double distance_m;
-};
-
-// Walks squares of 2^level cells from coarse to fine.
-class CellSearch {
- public:
-  CellSearch(const Meadow& meadow, const Camera& camera, double far_m, double blade_m)
-      : meadow_(meadow),
-        camera_(camera),
-        frustum_(camera),
-        far_m_(far_m),
-        blade_m_(blade_m),
-        cell_m_(meadow.tile_m / kCellsPerSide) {}
-
-  /// Throws OverBudget where there are more than `most_cells`.
-  std::vector<SeenCell> cells(std::size_t most_cells) {
-    most_cells_ = most_cells;
-    int level = 0;
-    const double reach_m = std::min(far_m_, 2.0 * glm::length(meadow_.extent_m) + far_from_field_m());
-    while (std::ldexp(cell_m_, level) < reach_m && level < 24) ++level;
-    const double side_m = std::ldexp(cell_m_, level);
-    const int x = static_cast<int>(std::floor(camera_.eye_m.x / side_m));
-    const int y = static_cast<int>(std::floor(camera_.eye_m.y / side_m));
-    for (int row = y - 1; row <= y + 1; ++row) {
-      for (int column = x - 1; column <= x + 1; ++column) visit(level, column, row);
-    }
-    std::stable_sort(found_.begin(), found_.end(),
-                     [](const SeenCell& a, const SeenCell& b) { return a.distance_m < b.distance_m; });
-    return std::move(found_);
-  }
-
- private:
-  double far_from_field_m() const {
-    if (meadow_.repeats) return far_m_;
-    const glm::dvec2 eye_m(camera_.eye_m);
-    return glm::length(eye_m - glm::clamp(eye_m, glm::dvec2(0.0), meadow_.extent_m));
-  }
-
-  void visit(int level, int column, int row) {
-    const double side_m = std::ldexp(cell_m_, level);
-    const glm::dvec2 min_m = side_m * glm::dvec2(column, row);
-    const glm::dvec2 max_m = min_m + side_m;
-    if (!meadow_.repeats && (max_m.x <= 0.0 || max_m.y <= 0.0 || min_m.x >= meadow_.extent_m.x ||
-                             min_m.y >= meadow_.extent_m.y)) {
-      return;
-    }
-    const HeightRange ground = meadow_.ground.range(min_m, max_m);
-    const Box box{glm::dvec3(min_m - blade_m_, ground.min_m),
-                  glm::dvec3(max_m + blade_m_, static_cast<double>(ground.max_m) + blade_m_)};
-    if (!frustum_.may_see(box)) return;
-    const double distance_m = nearest_distance_m(box, camera_.eye_m);
-    if (distance_m >= far_m_) return;
-    if (level == 0) {
-      if (found_.size() == most_cells_) {
-        throw OverBudget("", "--max-memory", fmt::format("more than {} cells in view", most_cells_),
-                         "a larger budget, a shorter lod.blade_distance_m or fewer tiles in view");
-      }
-      // Arithmetic shift and mask: floor and remainder for negative indices too.
-      static_assert(kCellsPerSide == 2);
-      found_.push_back({{column >> 1, row >> 1}, (row & 1) * kCellsPerSide + (column & 1), distance_m});
-      return;
-    }
-    for (int child = 0; child < 4; ++child) visit(level - 1, 2 * column + child % 2, 2 * row + child / 2);
-  }
-
-  const Meadow& meadow_;
-  const Camera& camera_;
-  Frustum frustum_;
-  double far_m_;
-  double blade_m_;
-  double cell_m_;
-  std::vector<SeenCell> found_;
-  std::size_t most_cells_ = 0;
-};
+// How far a morphing tile lags behind the eye, as a share of its band.
+constexpr float kPlay = 0.02f;
+// Strips nearer than this many of their sides follow the ground in several quads.
+constexpr double kNearStripSides = 10.0;
 
 constexpr std::array<std::uint32_t, 5> kSegments = {7, 5, 3, 2, 1};
 
@@ -108,92 +33,149 @@ std::size_t segment_class(double blade_pixels) {
   return n;
 }
 
-// What a cell in view takes at most: prepared in the cache, and once more in the plan.
-std::size_t bytes_per_cell(const PlantingLattice& lattice) {
+// What a tile in view takes at most: four cells made ready, once more in the plan, and its strips.
+std::size_t bytes_per_tile(const PlantingLattice& lattice) {
   constexpr std::size_t kGroundTexels = 3;
   const auto features = static_cast<std::size_t>(lattice.feature_patches);
-  std::size_t bytes =
-      kTexelBytes * (kGroundTexels + (features > 0 ? 2 * (features + 1) * (features + 1) : 0));
+  std::size_t bytes = kTexelBytes * (kGroundTexels + (features > 0 ? 2 * (features + 1) * (features + 1) : 0));
   for (const int patches : lattice.density_patches) {
     const auto m = static_cast<std::size_t>(patches);
-    bytes += sizeof(PlantedCell) + kTexelBytes * (m + m * (m + 1));
+    bytes += sizeof(DrawnCell) + kTexelBytes * (m + m * (m + 1));
   }
-  return 2 * bytes + lattice.density_patches.size() * sizeof(DrawnCell) + sizeof(SeenCell) +
-         sizeof(CellTables);
+  return kCellsPerTile * 2 * bytes + lattice.density_patches.size() * sizeof(StripTile) + sizeof(SeenTile);
+}
+
+std::uint64_t key_of(TileId tile) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(tile.j)) << 32) |
+         static_cast<std::uint32_t>(tile.i);
+}
+
+// Cells of one mesh.
+struct MeshCells {
+  std::array<std::array<std::vector<DrawnCell>, kSegments.size()>, 2> hermite_and_spline;
+
+  void append_to(FramePlan& plan) const {
+    for (const bool is_spline : {true, false}) {
+      for (std::size_t n = 0; n < kSegments.size(); ++n) {
+        const std::vector<DrawnCell>& cells = hermite_and_spline[is_spline][n];
+        if (cells.empty()) continue;
+        plan.groups.push_back({is_spline, kSegments[n], static_cast<std::uint32_t>(plan.cells.size()),
+                               static_cast<std::uint32_t>(cells.size())});
+        for (const DrawnCell& cell : cells) plan.blades_drawn += cell.drawn;
+        plan.cells.insert(plan.cells.end(), cells.begin(), cells.end());
+      }
+    }
+  }
+};
+
+double far_of(const Meadow& meadow, const Camera& camera, const PlanOptions& options, bool all) {
+  if (camera.is_orthographic()) return camera.orthographic_depth_m;
+  if (!all) return options.blade_distance_m;
+  return meadow.repeats ? kAllBladesFarM : 1e9;
 }
 
 }  // namespace
 
 Planner::Planner(const Meadow& meadow)
-    : meadow_(&meadow), cache_(meadow), tallest_blade_m_(tallest_blade_m(meadow)) {}
+    : meadow_(&meadow), lattice_(meadow), tallest_blade_m_(tallest_blade_m(meadow)) {}
+
+float Planner::morph_of(const FramePlan& plan, std::uint64_t tile_key, float band, float n_dot_r) {
+  if (band > -kPlay && band < 1.0f + kPlay) {
+    if (const auto last = bands_.find(tile_key); last != bands_.end()) {
+      band = std::clamp(last->second, band - kPlay, band + kPlay);
+    }
+    next_bands_[tile_key] = band;
+  }
+  return Kernels{}.strip_morph(plan.lod, band, n_dot_r);
+}
 
 FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   FramePlan plan;
   plan.camera = camera;
-  const bool all = options.tier == Tier::kHermite || options.tier == Tier::kSpline;
-  plan.lod = all ? all_blades() : lod_coefficients(options.quality, options.blade_distance_m);
+  plan.lod_eye_m = options.lod_eye_m.value_or(camera.eye_m);
   plan.ground = ground_patches(*meadow_, camera, kGroundFarM);
-  if (options.tier == Tier::kFlat || options.tier == Tier::kStrip) {
-    // The ground stands for all blades.
-    plan.lod.fade_start_m = -1.0f;
-    plan.lod.fade_end_m = 0.0f;
-    return plan;
-  }
+  plan.lod = tier_coefficients(options.tier, options.quality, options.blade_distance_m, camera);
+  if (options.tier == Tier::kFlat) return plan;
 
-  const double far_m = camera.is_orthographic() ? camera.orthographic_depth_m
-                       : !all                   ? options.blade_distance_m
-                       : meadow_->repeats       ? kAllBladesFarM
-                                                : 1e9;
-  if (camera.is_orthographic() && !all) {
-    // Distance is no matter in a parallel projection; only pixels are.
-    plan.lod.fade_start_m = 1e9f;
-    plan.lod.fade_end_m = 2e9f;
-  }
-  std::array<std::vector<DrawnCell>, kSegments.size()> classes;
+  Camera lod_camera = camera;
+  lod_camera.eye_m = plan.lod_eye_m;
+  const bool all = options.tier == Tier::kSpline || options.tier == Tier::kHermite;
+  const double far_m = far_of(*meadow_, camera, options, all);
   const double cell_m = meadow_->tile_m / kCellsPerSide;
-  for (const SeenCell& seen :
-       CellSearch(*meadow_, camera, far_m, tallest_blade_m_)
-           .cells(static_cast<std::size_t>(options.memory_budget_bytes / bytes_per_cell(cache_.lattice())))) {
-    const CellTables& tables = cache_.get(seen.tile, seen.cell);
-    if (tables.cells.empty()) continue;
-    const glm::dvec2 tile_m = tile_origin_m(*meadow_, seen.tile);
-    const double base_m = tile_base_m(*meadow_, seen.tile);
-    const glm::dvec2 min_m = tile_m + glm::dvec2(cell_offset_m(*meadow_, seen.cell));
-    const std::array<float, 9> heights_m = ground_heights_m(tables, tables.cells.front());
-    const HeightRange range = ground_range(heights_m);
-    const Box ground{glm::dvec3(min_m, base_m + static_cast<double>(range.min_m)),
-                     glm::dvec3(min_m + cell_m, base_m + static_cast<double>(range.max_m))};
-    const double keep = keep_bound(plan.lod, camera, {ground, heights_m, cell_m});
-    const double pixel_m = camera.pixel_m_at(std::max(seen.distance_m, 0.1));
-    const auto texels = static_cast<std::uint32_t>(plan.tables.size() / 4);
-    bool is_drawn = false;
-    for (const PlantedCell& planted : tables.cells) {
-      plan.blades_planted_in_view += planted.planted;
-      const std::uint32_t drawn = drawn_bound(planted, keep);
-      if (drawn == 0) continue;
-      is_drawn = true;
-      DrawnCell cell{};
-      cell.planted = planted;
-      cell.planted.ground_table += texels;
-      cell.planted.density_table += texels;
-      if (planted.feature_table != kNoTable) cell.planted.feature_table += texels;
-      cell.eye_from_tile_m = glm::vec3(glm::dvec3(tile_m, base_m) - camera.eye_m);
-      cell.drawn = drawn;
-      const SpeciesParams& params = meadow_->species[planted.species].species.params;
-      const std::size_t segments = segment_class(static_cast<double>(params.height_m) / pixel_m);
-      cell.segments = kSegments[segments];
-      classes[segments].push_back(cell);
+  Kernels kernels;
+  MeshCells meshes;
+  std::vector<StripTile> far_strips;
+  CellTables tables;
+  next_bands_.clear();
+  TileSearch search(*meadow_, camera, plan.lod_eye_m, far_m, tallest_blade_m_);
+  const std::size_t most_tiles = static_cast<std::size_t>(options.memory_budget_bytes / bytes_per_tile(lattice_));
+  for (const SeenTile& seen : search.tiles(most_tiles)) {
+    const glm::dvec2 origin_m = tile_origin_m(*meadow_, seen.id);
+    float morph = 0.0f;
+    if (!all && !camera.is_orthographic()) {
+      const glm::dvec2 centre_m = origin_m + 0.5 * meadow_->tile_m;
+      const glm::dvec3 to_eye_m =
+          plan.lod_eye_m - glm::dvec3(centre_m, static_cast<double>(meadow_->ground.height_m(centre_m)));
+      const double distance_m = glm::length(to_eye_m);
+      const float n_dot_r = glm::dot(meadow_->ground.normal(centre_m), glm::vec3(to_eye_m / distance_m));
+      const float band = kernels.strip_band(plan.lod, static_cast<float>(distance_m));
+      morph = morph_of(plan, key_of(seen.id), band, n_dot_r);
+      const float grown = kernels.strips_grown(morph) *
+                          (1.0f - kernels.sunk_share(plan.lod, static_cast<float>(distance_m)));
+      if (grown > 0.0f) {
+        const TileDensity density = tile_density(*meadow_, seen.id);
+        const bool is_near = seen.distance_m < kNearStripSides * meadow_->tile_m;
+        append_strips(*meadow_, seen.id, density, camera.eye_m, grown, is_near ? plan.strips : far_strips);
+        const double standing = density.sum_per_m2() * meadow_->tile_m * meadow_->tile_m;
+        plan.blades_in_strips += static_cast<std::uint64_t>(standing);
+        if (morph >= 1.0f) plan.blades_planted_in_view += static_cast<std::uint64_t>(standing);
+      }
+      if (morph >= 1.0f) continue;
     }
-    if (is_drawn) plan.tables.insert(plan.tables.end(), tables.tables.begin(), tables.tables.end());
+    const double base_m = tile_base_m(*meadow_, seen.id);
+    for (int cell = 0; cell < kCellsPerTile; ++cell) {
+      if (!search.sees_cell(seen.id, cell)) continue;
+      tables.cells.clear();
+      tables.tables.clear();
+      append_cell(*meadow_, lattice_, seen.id, cell, tables);
+      if (tables.cells.empty()) continue;
+      const glm::dvec2 min_m = origin_m + glm::dvec2(cell_offset_m(*meadow_, cell));
+      const std::array<float, 9> heights_m = ground_heights_m(tables, tables.cells.front());
+      const HeightRange range = ground_range(heights_m);
+      const Box ground{glm::dvec3(min_m, base_m + static_cast<double>(range.min_m)),
+                       glm::dvec3(min_m + cell_m, base_m + static_cast<double>(range.max_m))};
+      const double keep = static_cast<double>(kernels.blades_left(morph)) *
+                          keep_bound(plan.lod, lod_camera, {ground, heights_m, cell_m});
+      const double distance_m = nearest_distance_m(ground, plan.lod_eye_m);
+      const double pixel_m = lod_camera.pixel_m_at(std::max(distance_m, 0.1));
+      const bool is_spline = kernels.hermite_share(plan.lod, static_cast<float>(distance_m)) < 1.0f;
+      const auto texels = static_cast<std::uint32_t>(plan.tables.size() / 4);
+      bool is_drawn = false;
+      for (const PlantedCell& planted : tables.cells) {
+        plan.blades_planted_in_view += planted.planted;
+        const std::uint32_t drawn = drawn_bound(planted, keep);
+        if (drawn == 0) continue;
+        is_drawn = true;
+        DrawnCell drawn_cell{};
+        drawn_cell.planted = planted;
+        drawn_cell.planted.ground_table += texels;
+        drawn_cell.planted.density_table += texels;
+        if (planted.feature_table != kNoTable) drawn_cell.planted.feature_table += texels;
+        drawn_cell.eye_from_tile_m = glm::vec3(glm::dvec3(origin_m, base_m) - camera.eye_m);
+        drawn_cell.drawn = drawn;
+        drawn_cell.morph = morph;
+        const SpeciesParams& params = meadow_->species[planted.species].species.params;
+        const std::size_t segments = segment_class(static_cast<double>(params.height_m) / pixel_m);
+        drawn_cell.segments = kSegments[segments];
+        meshes.hermite_and_spline[is_spline][segments].push_back(drawn_cell);
+      }
+      if (is_drawn) plan.tables.insert(plan.tables.end(), tables.tables.begin(), tables.tables.end());
+    }
   }
-  for (std::size_t n = 0; n < classes.size(); ++n) {
-    if (classes[n].empty()) continue;
-    plan.groups.push_back({kSegments[n], static_cast<std::uint32_t>(plan.cells.size()),
-                           static_cast<std::uint32_t>(classes[n].size())});
-    for (const DrawnCell& cell : classes[n]) plan.blades_drawn += cell.drawn;
-    plan.cells.insert(plan.cells.end(), classes[n].begin(), classes[n].end());
-  }
-  cache_.end_frame();
+  meshes.append_to(plan);
+  plan.near_strips = static_cast<std::uint32_t>(plan.strips.size());
+  plan.strips.insert(plan.strips.end(), far_strips.begin(), far_strips.end());
+  bands_.swap(next_bands_);
   return plan;
 }
 

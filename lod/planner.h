@@ -1,13 +1,17 @@
-// Plans frames: culls the tile quadtree against the camera, bounds how many blades each cell shows, and lays
-// them out for the renderer (docs/design.md, D3). Keeps prepared cells from frame to frame; the plan depends
-// on camera and meadow alone.
+// Plans frames: culls the tile quadtree against the camera, chooses each tile's tier and morph, bounds how many
+// blades each cell shows, and lays all out for the renderer (docs/design.md, D3).
+//
+// A morphing tile follows the eye with a little play (hysteresis), so that an eye that trembles at a band does
+// not make grass breathe; a new planner's first plan depends on camera and meadow alone.
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <unordered_map>
 
+#include "generator/cell_table.h"
 #include "generator/meadow.h"
-#include "lod/cell_cache.h"
 #include "lod/frame_plan.h"
 #include "lod/quality.h"
 
@@ -18,19 +22,24 @@ struct PlanOptions {
   Quality quality = Quality::kMedium;
   double blade_distance_m = 120.0;
   std::uint64_t memory_budget_bytes = std::numeric_limits<std::uint64_t>::max();  // for cells and plan
+  std::optional<glm::dvec3> lod_eye_m = {};  // tiers are chosen for this eye; the camera's, if not given
 };
 
 class Planner {
  public:
   explicit Planner(const Meadow& meadow);
 
-  /// Throws OverBudget where the cells in view would need more memory than the budget, before it is spent.
+  /// Throws OverBudget where the tiles in view would need more memory than the budget, before it is spent.
   FramePlan plan(const Camera& camera, const PlanOptions& options);
 
  private:
+  float morph_of(const FramePlan& plan, std::uint64_t tile_key, float band, float n_dot_r);
+
   const Meadow* meadow_;
-  CellCache cache_;
+  PlantingLattice lattice_;
   double tallest_blade_m_;
+  std::unordered_map<std::uint64_t, float> bands_;       // of the morphing tiles of the last plan
+  std::unordered_map<std::uint64_t, float> next_bands_;  // and of the plan being made
 };
 
 }  // namespace prairie

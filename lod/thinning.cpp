@@ -13,6 +13,34 @@ namespace {
 // 60° over 600 pixels: the picture for which the coefficients below were chosen.
 constexpr float kReferencePixel = 0.0019245009f;
 
+// Where strips begin to sink, as a share of the distance at which none is left.
+constexpr double kFadeStart = 0.75;
+
+struct Bands {
+  double spline_start_m, spline_end_m, strip_start_m, strip_end_m;
+};
+
+// At the reference pixel.
+Bands bands_of(Quality quality) {
+  switch (quality) {
+    case Quality::kLow:
+      return {3.0, 4.0, 9.0, 14.0};
+    case Quality::kMedium:
+      return {4.0, 5.5, 14.0, 20.0};
+    case Quality::kHigh:
+      break;
+  }
+  return {6.0, 8.0, 24.0, 34.0};
+}
+
+void set_band(float& start_m, float& end_m, double new_start_m, double new_end_m) {
+  start_m = static_cast<float>(new_start_m);
+  end_m = static_cast<float>(new_end_m);
+}
+
+void never(float& start_m, float& end_m) { set_band(start_m, end_m, 1e9, 2e9); }
+void always(float& start_m, float& end_m) { set_band(start_m, end_m, -2.0, -1.0); }
+
 struct NormalCone {
   glm::dvec3 axis;
   double spread;  // |n − axis| at most
@@ -52,7 +80,7 @@ NormalCone normals_of(const CellView& cell) {
 
 }  // namespace
 
-LodCoefficients lod_coefficients(Quality quality, double blade_distance_m) {
+LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_distance_m, const Camera& camera) {
   LodCoefficients lod{};
   switch (quality) {
     case Quality::kLow:
@@ -67,20 +95,41 @@ LodCoefficients lod_coefficients(Quality quality, double blade_distance_m) {
   }
   lod.fade = 0.3f;
   lod.reference_pixel = kReferencePixel;
-  lod.fade_start_m = static_cast<float>(0.6 * blade_distance_m);
-  lod.fade_end_m = static_cast<float>(blade_distance_m);
   lod.widest_pixels = 2.0f;
-  return lod;
-}
-
-LodCoefficients all_blades() {
-  LodCoefficients lod{};
-  lod.a1 = 1e-6f;
-  lod.fade = 0.3f;
-  lod.reference_pixel = kReferencePixel;
-  lod.fade_start_m = 1e9f;
-  lod.fade_end_m = 2e9f;
-  lod.widest_pixels = 2.0f;
+  lod.grazing = 0.25f;
+  lod.steep = 0.45f;
+  // A finer picture shows more of a blade, and strips only look right where they are small.
+  const double finer = camera.is_orthographic() ? 1.0 : static_cast<double>(kReferencePixel) / camera.pixel_m();
+  const Bands bands = bands_of(quality);
+  set_band(lod.fade_start_m, lod.fade_end_m, kFadeStart * blade_distance_m, blade_distance_m);
+  set_band(lod.spline_start_m, lod.spline_end_m, finer * bands.spline_start_m, finer * bands.spline_end_m);
+  set_band(lod.strip_start_m, lod.strip_end_m, finer * bands.strip_start_m, finer * bands.strip_end_m);
+  switch (tier) {
+    case Tier::kAuto:
+      if (camera.is_orthographic()) {
+        // Distance is no matter in a parallel projection; only pixels are.
+        never(lod.fade_start_m, lod.fade_end_m);
+        never(lod.strip_start_m, lod.strip_end_m);
+        always(lod.spline_start_m, lod.spline_end_m);
+      }
+      break;
+    case Tier::kSpline:
+    case Tier::kHermite:
+      lod.unthinned = 1.0f;
+      never(lod.fade_start_m, lod.fade_end_m);
+      never(lod.strip_start_m, lod.strip_end_m);
+      if (tier == Tier::kSpline) never(lod.spline_start_m, lod.spline_end_m);
+      if (tier == Tier::kHermite) always(lod.spline_start_m, lod.spline_end_m);
+      break;
+    case Tier::kStrip:
+      always(lod.strip_start_m, lod.strip_end_m);
+      lod.grazing = 2.0f;
+      lod.steep = 3.0f;
+      break;
+    case Tier::kFlat:
+      always(lod.fade_start_m, lod.fade_end_m);
+      break;
+  }
   return lod;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "lod/camera.h"
+#include "lod/frame_plan.h"
 #include "lod/frustum.h"
 #include "lod/quality.h"
 #include "maps/height_range.h"
@@ -13,11 +14,9 @@
 
 namespace prairie {
 
-/// Coefficients of B11's weight function (§2.2). `blade_distance_m`: beyond it no blade is drawn.
-LodCoefficients lod_coefficients(Quality quality, double blade_distance_m);
-
-/// Coefficients under which every blade is drawn as planted, at any distance.
-LodCoefficients all_blades();
+/// Coefficients of B11's weight function (§2.2) and of the tiers' bands, for what the person chose and the
+/// camera's pixels. `blade_distance_m`: beyond it only the flat tier stands.
+LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_distance_m, const Camera& camera);
 
 /// Lowest and highest height, to a rounding error, that the ground of a cell can have: of the biquadratic surface through
 /// 3 × 3 heights (shaders/kernels/cell_ground.glsl).

@@ -1,6 +1,7 @@
 #include "render/blade_pass.h"
 
 #include <algorithm>
+#include <string>
 
 #include "generator/cell_table.h"
 #include "render/shader_program.h"
@@ -9,7 +10,7 @@ namespace prairie {
 namespace {
 
 // Blades whose indices lie ready; more are drawn by shifting the base vertex.
-constexpr std::uint32_t kIndexedBlades = 16384;
+constexpr std::uint32_t kIndexedBlades = 4096;
 
 std::uint32_t vertices_of(std::uint32_t segments) {
   return 2 * segments + 1;
@@ -17,62 +18,111 @@ std::uint32_t vertices_of(std::uint32_t segments) {
 std::uint32_t triangles_of(std::uint32_t segments) {
   return 2 * segments - 1;
 }
+std::size_t bytes_of(std::uint32_t segments) {
+  return vertices_of(segments) * sizeof(GrownVertex);
+}
 
 }  // namespace
 
-BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder)
-    : world_(&world),
-      pose_program_(make_program(shader_folder, {"pass/pose.comp"},
-                                 planting_variant(PlantingLattice(world.meadow()).feature_patches > 0))),
-      draw_program_(make_program(shader_folder, {"pass/blade.vert", "pass/blade.frag"})),
-      vertex_array_(make_vertex_array()),
-      posed_texels_(make_texture(GL_TEXTURE_BUFFER)) {
-  for (const PlantedSpecies& species : world_->meadow().species) species_.push_back(species.species.params);
+BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder) {
+  const std::string_view variant = planting_variant(PlantingLattice(world.meadow()).feature_patches > 0);
+  spline_program_ = make_program(shader_folder, {"pass/grow.comp"}, {"SPLINE_BLADES", variant});
+  hermite_program_ = make_program(shader_folder, {"pass/grow.comp"}, {variant});
+  draw_program_ = make_program(shader_folder, {"pass/blade.vert", "pass/blade.frag"});
+  vertex_array_ = make_vertex_array();
+  const GLuint array = vertex_array_.get();
+  glEnableVertexArrayAttrib(array, 0);
+  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GrownVertex, position_m));
+  glVertexArrayAttribBinding(array, 0, 0);
+  glEnableVertexArrayAttrib(array, 1);
+  glVertexArrayAttribFormat(array, 1, 3, GL_UNSIGNED_INT_10F_11F_11F_REV, GL_FALSE,
+                            offsetof(GrownVertex, radiance));
+  glVertexArrayAttribBinding(array, 1, 0);
 }
 
 GLuint BladePass::indices_for(std::uint32_t segments) {
   const auto [entry, is_new] = indices_.try_emplace(segments);
   if (is_new) {
-    std::vector<std::uint32_t> indices;
+    std::vector<std::uint16_t> indices;
     indices.reserve(std::size_t{kIndexedBlades} * triangles_of(segments) * 3);
     for (std::uint32_t blade = 0; blade < kIndexedBlades; ++blade) {
       const std::uint32_t first = blade * vertices_of(segments);
-      for (std::uint32_t n = 0; n < triangles_of(segments); ++n) {
-        indices.insert(indices.end(), {first + n, first + n + 1, first + n + 2});
+      for (std::uint32_t n = first; n < first + triangles_of(segments); ++n) {
+        for (const std::uint32_t corner : {n, n + 1, n + 2})
+          indices.push_back(static_cast<std::uint16_t>(corner));
       }
     }
-    entry->second.upload(std::span<const std::uint32_t>(indices));
+    entry->second.upload(std::span<const std::uint16_t>(indices));
   }
   return entry->second.get();
 }
 
-void BladePass::draw(const FramePlan& plan) {
-  triangles_drawn_ = 0;
+void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species) {
+  cells_.clear();
+  runs_.clear();
+  batches_.clear();
+  grown_ = nullptr;
+  spline_triangles_ = hermite_triangles_ = 0;
   if (plan.cells.empty()) return;
-  batch_.set_tables(plan.tables, species_);
+  compute_.set_tables(stream, plan.tables, species);
+  std::size_t bytes = kStorageLimitBytes;
   for (const CellGroup& group : plan.groups) {
-    std::vector<DrawnCell> cells = pieces_of(
-        std::span(plan.cells).subspan(group.first_cell, group.cell_count), most_blades(sizeof(PosedBlade)));
-    const GLuint indices = indices_for(group.segments);
-    for (const CellRun& run : runs_of(cells, most_blades(sizeof(PosedBlade)))) {
-      batch_.dispatch(pose_program_.get(), std::span(cells).subspan(run.first, run.count), sizeof(PosedBlade),
-                      posed_);
-      glTextureBuffer(posed_texels_.get(), GL_RGBA32UI, posed_.get());
-      glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-      glBindTextureUnit(2, batch_.species_texture());
-      glBindTextureUnit(4, posed_texels_.get());
-      glUseProgram(draw_program_.get());
-      glProgramUniform1ui(draw_program_.get(), 0, group.segments);
-      glBindVertexArray(vertex_array_.get());
-      glVertexArrayElementBuffer(vertex_array_.get(), indices);
-      for (std::uint32_t first = 0; first < run.blades; first += kIndexedBlades) {
-        const std::uint32_t blades = std::min(kIndexedBlades, run.blades - first);
-        glDrawElementsBaseVertex(
-            GL_TRIANGLES, static_cast<GLsizei>(blades * triangles_of(group.segments) * 3), GL_UNSIGNED_INT,
-            nullptr, static_cast<GLint>(first * vertices_of(group.segments)));
+    const std::size_t most = most_blades(bytes_of(group.segments));
+    const std::vector<DrawnCell> pieces =
+        pieces_of(std::span(plan.cells).subspan(group.first_cell, group.cell_count), most);
+    for (const CellRun& run : runs_of(pieces, most)) {
+      const std::size_t run_bytes = run.blades * bytes_of(group.segments);
+      if (bytes + run_bytes > kStorageLimitBytes) {
+        batches_.push_back({runs_.size(), 0});
+        bytes = 0;
       }
-      triangles_drawn_ += std::uint64_t{run.blades} * triangles_of(group.segments);
+      ++batches_.back().run_count;
+      runs_.push_back({group.is_spline, group.segments, cells_.size() + run.first, run.count, run.blades,
+                       static_cast<std::uint32_t>(bytes / sizeof(GrownVertex))});
+      bytes += run_bytes;
+      (group.is_spline ? spline_triangles_ : hermite_triangles_) +=
+          std::uint64_t{run.blades} * triangles_of(group.segments);
     }
+    cells_.insert(cells_.end(), pieces.begin(), pieces.end());
+  }
+  const Run& last = runs_.back();
+  const std::size_t last_bytes = (last.first_vertex + std::size_t{last.blades} * vertices_of(last.segments)) *
+                                 sizeof(GrownVertex);
+  vertices_.reserve(batches_.size() > 1 ? kStorageLimitBytes : last_bytes);
+  glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(GrownVertex));
+}
+
+void BladePass::grow(StreamBuffer& stream, const Batch& batch) {
+  // What is drawn from the buffer's former contents must be done before they are overwritten.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
+  for (std::size_t n = batch.first_run; n < batch.first_run + batch.run_count; ++n) {
+    const Run& run = runs_[n];
+    const GLuint program = run.is_spline ? spline_program_.get() : hermite_program_.get();
+    glProgramUniform1ui(program, 1, run.segments);
+    glProgramUniform1ui(program, 2, run.first_vertex);
+    compute_.dispatch(stream, program, std::span(cells_).subspan(run.first_cell, run.cell_count));
+  }
+  glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+  grown_ = &batch;
+}
+
+void BladePass::draw_run(const Run& run) {
+  glVertexArrayElementBuffer(vertex_array_.get(), indices_for(run.segments));
+  for (std::uint32_t first = 0; first < run.blades; first += kIndexedBlades) {
+    const std::uint32_t blades = std::min(kIndexedBlades, run.blades - first);
+    glDrawElementsBaseVertex(
+        GL_TRIANGLES, static_cast<GLsizei>(blades * triangles_of(run.segments) * 3), GL_UNSIGNED_SHORT,
+        nullptr, static_cast<GLint>(run.first_vertex + first * vertices_of(run.segments)));
+  }
+}
+
+void BladePass::draw(StreamBuffer& stream, GLuint program) {
+  for (const Batch& batch : batches_) {
+    if (grown_ != &batch) grow(stream, batch);
+    glUseProgram(program);
+    glBindVertexArray(vertex_array_.get());
+    for (std::size_t n = batch.first_run; n < batch.first_run + batch.run_count; ++n) draw_run(runs_[n]);
   }
 }
 

@@ -1,5 +1,5 @@
-// Draws the plan's 3D blades: plants and poses them in batches (one compute dispatch each), then draws each
-// batch group by group of equal segment count.
+// Draws the plan's 3D blades. Compute shaders plant and pose them and leave lit vertices, as many blades at a time as
+// a storage buffer holds; each group of equal meshes is then drawn with indices that all groups of its kind share.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include "lod/frame_plan.h"
 #include "render/compute_batch.h"
 #include "render/gl_objects.h"
+#include "render/stream_buffer.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -18,23 +19,49 @@ class BladePass {
  public:
   BladePass(const World& world, const std::filesystem::path& shader_folder);
 
-  /// The frame block must be bound.
-  void draw(const FramePlan& plan);
-  std::uint64_t triangles_drawn() const { return triangles_drawn_; }
+  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so.
+  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species);
+  /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be bound.
+  void draw(StreamBuffer& stream) { draw(stream, draw_program_.get()); }
+  /// The same by another program, which takes GrownVertex as vertex attributes 0 and 1.
+  void draw(StreamBuffer& stream, GLuint program);
+
+  std::uint64_t spline_triangles() const { return spline_triangles_; }
+  std::uint64_t hermite_triangles() const { return hermite_triangles_; }
 
  private:
-  GLuint indices_for(std::uint32_t segments);
+  /// Cells of one mesh that are grown by one dispatch.
+  struct Run {
+    bool is_spline = false;
+    std::uint32_t segments = 1;
+    std::size_t first_cell = 0;
+    std::size_t cell_count = 0;
+    std::uint32_t blades = 0;
+    std::uint32_t first_vertex = 0;
+  };
+  /// Runs whose vertices fit into one buffer.
+  struct Batch {
+    std::size_t first_run = 0;
+    std::size_t run_count = 0;
+  };
 
-  const World* world_;
-  GlProgram pose_program_;
+  GLuint indices_for(std::uint32_t segments);
+  void grow(StreamBuffer& stream, const Batch& batch);
+  void draw_run(const Run& run);
+
+  GlProgram spline_program_;
+  GlProgram hermite_program_;
   GlProgram draw_program_;
   GlVertexArray vertex_array_;
-  ComputeBatch batch_;
-  GlBuffer posed_;
-  GlTexture posed_texels_;  // of the same memory
-  std::vector<SpeciesParams> species_;
+  ComputeBatch compute_;
+  GlBuffer vertices_;
   std::map<std::uint32_t, GlBuffer> indices_;  // by segments
-  std::uint64_t triangles_drawn_ = 0;
+  std::vector<DrawnCell> cells_;
+  std::vector<Run> runs_;
+  std::vector<Batch> batches_;
+  const Batch* grown_ = nullptr;  // the batch whose vertices the buffer holds
+  std::uint64_t spline_triangles_ = 0;
+  std::uint64_t hermite_triangles_ = 0;
 };
 
 }  // namespace prairie

@@ -45,38 +45,33 @@ std::vector<CellRun> runs_of(std::span<const DrawnCell> cells, std::size_t max_b
   return runs;
 }
 
-void ComputeBatch::set_tables(std::span<const float> tables, std::span<const SpeciesParams> species) {
-  tables_.upload(tables);
-  species_.upload(species);
+void ComputeBatch::set_tables(StreamBuffer& stream, std::span<const float> tables,
+                              std::span<const SpeciesParams> species) {
+  tables_.show(stream, tables);
+  species_.show(stream, species);
 }
 
-void ComputeBatch::dispatch(GLuint program, std::span<DrawnCell> run, std::size_t element_bytes,
-                            GlBuffer& output) {
+std::uint32_t ComputeBatch::dispatch(StreamBuffer& stream, GLuint program, std::span<DrawnCell> run) {
   std::uint32_t blades = 0;
   for (DrawnCell& cell : run) {
     cell.first_blade = blades;
     blades += cell.drawn;
   }
-  if (blades == 0) return;
+  if (blades == 0) return 0;
   first_cell_of_group_.clear();
   std::uint32_t cell = 0;
   for (std::uint32_t blade = 0; blade < blades; blade += kGroupSize) {
     while (blade >= run[cell].first_blade + run[cell].drawn) ++cell;
     first_cell_of_group_.push_back(cell);
   }
-  cells_.upload(std::span<const DrawnCell>(run));
-  group_cells_.upload(std::span<const std::uint32_t>(first_cell_of_group_));
-  output.reserve(blades * element_bytes);
-
+  cells_.show(stream, std::span<const DrawnCell>(run));
+  group_cells_.show(stream, std::span<const std::uint32_t>(first_cell_of_group_));
   glUseProgram(program);
   const GLuint textures[] = {cells_.texture(), tables_.texture(), species_.texture(), group_cells_.texture()};
   glBindTextures(0, 4, textures);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, output.get());
   glProgramUniform1ui(program, 0, blades);
-  // What is drawn from the output's former contents must be done before they are overwritten.
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   glDispatchCompute((blades + kGroupSize - 1) / kGroupSize, 1, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  return blades;
 }
 
 }  // namespace prairie

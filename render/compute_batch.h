@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/gl_objects.h"
+#include "render/texel_view.h"
 #include "shaders/shared/layouts.h"
 
 namespace prairie {
@@ -37,18 +37,17 @@ std::string_view planting_variant(bool has_features);
 
 class ComputeBatch {
  public:
-  /// Uploads what all runs share.
-  void set_tables(std::span<const float> tables, std::span<const SpeciesParams> species);
-  /// Numbers the run's blades (`first_blade`), uploads its cells and runs `program` over them; blade n of the
-  /// run goes to element n of `output`, which has room for `element_bytes` each.
-  void dispatch(GLuint program, std::span<DrawnCell> run, std::size_t element_bytes, GlBuffer& output);
-  GLuint species_texture() const { return species_.texture(); }
+  /// Shows all runs of a frame what they share.
+  void set_tables(StreamBuffer& stream, std::span<const float> tables, std::span<const SpeciesParams> species);
+  /// Numbers the run's blades (`first_blade`), shows its cells and runs `program` over them, which writes into
+  /// the storage buffer bound to 4. Returns the number of blades.
+  std::uint32_t dispatch(StreamBuffer& stream, GLuint program, std::span<DrawnCell> run);
 
  private:
-  TexelBuffer cells_{GL_RGBA32UI};
-  TexelBuffer tables_{GL_RGBA32F};
-  TexelBuffer species_{GL_RGBA32F};
-  TexelBuffer group_cells_{GL_R32UI};
+  TexelView cells_{GL_RGBA32UI};
+  TexelView tables_{GL_RGBA32F};
+  TexelView species_{GL_RGBA32F};
+  TexelView group_cells_{GL_R32UI};
   std::vector<std::uint32_t> first_cell_of_group_;
 };
 

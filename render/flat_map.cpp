@@ -13,9 +13,6 @@ namespace {
 constexpr int kMostTexels = 2048;  // along a side
 constexpr double kCoarsestTexelM = 4.0;
 constexpr int kMostSamples = 8;  // along a texel's side, where maps are finer than texels
-// The leaf area that a blade shows from above: its profile fills two thirds of length × width, and it stands
-// steeply.
-constexpr double kProjectedShare = 0.67 * 0.6;
 // Where along a blade its mean visible colour is found: the upper part hides the lower.
 constexpr float kVisibleTip = 0.62f;
 
@@ -35,16 +32,16 @@ std::uint8_t byte_of(double share) {
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-glm::vec3 mean_albedo(const SpeciesParams& species) {
-  Kernels kernels;
-  return kernels.mixed(kernels.root_albedo(species, 0.0f, species.dry_share),
-                       kernels.tip_albedo(species, 0.0f, species.dry_share), kVisibleTip);
-}
-
 float value_at(const NodeGrid& map, glm::dvec2 place_m, int channel, float missing) {
   const float value = map.sample(place_m, map.channels() > 1 ? channel : 0);
   return std::isfinite(value) ? value : missing;
 }
+
+// What blades of a species look like from above.
+struct FromAbove {
+  glm::vec3 albedo;
+  double area_m2;  // that one shows
+};
 
 // What a place contributes to its texel.
 struct Sward {
@@ -53,14 +50,14 @@ struct Sward {
   double cover = 0.0;
 };
 
-Sward sward_at(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm::dvec2 place_m) {
+Sward sward_at(const Meadow& meadow, const std::vector<FromAbove>& species, glm::dvec2 place_m) {
   Sward sward;
   if (!meadow.ground.has_data(place_m, place_m)) return sward;
   const double length = static_cast<double>(value_at(meadow.blade_height, place_m, 0, 1.0f));
   for (std::size_t s = 0; s < meadow.species.size(); ++s) {
     const double density = static_cast<double>(value_at(meadow.species[s].density_per_m2, place_m, 0, 0.0f));
-    const double area = length * leaf_area_from_above(meadow.species[s].species.params, density);
-    sward.albedo_area += area * glm::dvec3(albedos[s]);
+    const double area = length * species[s].area_m2 * density;
+    sward.albedo_area += area * glm::dvec3(species[s].albedo);
     sward.area += area;
   }
   if (meadow.color) {
@@ -73,7 +70,7 @@ Sward sward_at(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm:
 }
 
 // The mean over `samples` × `samples` places of the texel around `place_m`.
-void fill_texel(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm::dvec2 place_m,
+void fill_texel(const Meadow& meadow, const std::vector<FromAbove>& species, glm::dvec2 place_m,
                 glm::dvec2 texel_m, int samples, std::uint8_t* texel) {
   Sward sum;
   for (int n = 0; n < samples * samples; ++n) {
@@ -81,7 +78,7 @@ void fill_texel(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm
         (glm::dvec2(n % samples, n / samples) + 0.5) / static_cast<double>(samples) - 0.5;
     glm::dvec2 sample_m = place_m + shift * texel_m;
     if (!meadow.repeats) sample_m = glm::clamp(sample_m, glm::dvec2(0.0), meadow.extent_m);
-    const Sward sward = sward_at(meadow, albedos, sample_m);
+    const Sward sward = sward_at(meadow, species, sample_m);
     sum.albedo_area += sward.albedo_area;
     sum.area += sward.area;
     sum.cover += sward.cover;
@@ -89,39 +86,21 @@ void fill_texel(const Meadow& meadow, const std::vector<glm::vec3>& albedos, glm
   Kernels kernels;
   for (int channel = 0; channel < 3; ++channel) {
     const double albedo =
-        sum.area > 0.0 ? sum.albedo_area[channel] / sum.area : static_cast<double>(albedos[0][channel]);
+        sum.area > 0.0 ? sum.albedo_area[channel] / sum.area : static_cast<double>(species[0].albedo[channel]);
     texel[channel] = byte_of(static_cast<double>(kernels.srgb_from_linear(static_cast<float>(albedo))));
   }
   texel[3] = byte_of(sum.cover / (samples * samples));
 }
 
-// Transmission of the leaf area that stands in the field, from a coarse grid of places.
-glm::vec3 mean_transmission(const Meadow& meadow) {
-  constexpr int kPlaces = 32;
-  glm::dvec3 sum(0.0);
-  double area_sum = 1e-9;
-  sum += area_sum * glm::dvec3(meadow.species.front().species.params.transmission);  // for bare fields
-  for (int n = 0; n < kPlaces * kPlaces; ++n) {
-    const glm::dvec2 place_m =
-        (glm::dvec2(n % kPlaces, n / kPlaces) + 0.5) / static_cast<double>(kPlaces) * meadow.extent_m;
-    for (const PlantedSpecies& species : meadow.species) {
-      const double area = leaf_area_from_above(
-          species.species.params, static_cast<double>(value_at(species.density_per_m2, place_m, 0, 0.0f)));
-      sum += area * glm::dvec3(species.species.params.transmission);
-      area_sum += area;
-    }
-  }
-  return glm::vec3(sum / area_sum);
-}
-
 }  // namespace
 
-double leaf_area_from_above(const SpeciesParams& species, double density_per_m2) {
-  const double blade_m2 = static_cast<double>(species.height_m) * static_cast<double>(species.width_m);
-  return kProjectedShare * blade_m2 * density_per_m2;
+glm::vec3 mean_albedo(const SpeciesParams& species) {
+  Kernels kernels;
+  return kernels.mixed(kernels.root_albedo(species, 0.0f, species.dry_share),
+                       kernels.tip_albedo(species, 0.0f, species.dry_share), kVisibleTip);
 }
 
-FlatMap make_flat_map(const Meadow& meadow) {
+FlatMap make_flat_map(const Meadow& meadow, std::span<const double> blade_area_from_above_m2) {
   FlatMap map;
   const double finest_m = finest_spacing_m(meadow);
   const double longest_m = std::max(meadow.extent_m.x, meadow.extent_m.y);
@@ -136,14 +115,15 @@ FlatMap make_flat_map(const Meadow& meadow) {
   map.columns = steps.x + extra;
   map.rows = steps.y + extra;
   map.period_m = texel_m * glm::dvec2(map.columns, map.rows);
-  map.mean_transmission = mean_transmission(meadow);
   map.srgb_and_cover.resize(4 * static_cast<std::size_t>(map.columns) * map.rows);
   const int samples = std::clamp(static_cast<int>(std::ceil(wanted_m / finest_m - 1e-6)), 1, kMostSamples);
-  std::vector<glm::vec3> albedos;
-  for (const PlantedSpecies& species : meadow.species) albedos.push_back(mean_albedo(species.species.params));
+  std::vector<FromAbove> species;
+  for (std::size_t s = 0; s < meadow.species.size(); ++s) {
+    species.push_back({mean_albedo(meadow.species[s].species.params), blade_area_from_above_m2[s]});
+  }
   oneapi::tbb::parallel_for(0, map.rows, [&](int row) {
     for (int column = 0; column < map.columns; ++column) {
-      fill_texel(meadow, albedos, texel_m * glm::dvec2(column, row), texel_m, samples,
+      fill_texel(meadow, species, texel_m * glm::dvec2(column, row), texel_m, samples,
                  &map.srgb_and_cover[4 * (static_cast<std::size_t>(row) * map.columns + column)]);
     }
   });

@@ -42,8 +42,6 @@ void GlBuffer::upload(const void* data, std::size_t bytes) {
   glNamedBufferSubData(get(), 0, static_cast<GLsizeiptr>(bytes), data);
 }
 
-TexelBuffer::TexelBuffer(GLenum format) : format_(format), texture_(make_texture(GL_TEXTURE_BUFFER)) {}
-
 GlVertexArray make_vertex_array() {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);

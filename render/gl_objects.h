@@ -62,23 +62,6 @@ class GlBuffer {
   std::size_t size_bytes_ = 0;
 };
 
-/// A buffer that shaders read as a buffer texture of `format`.
-class TexelBuffer {
- public:
-  explicit TexelBuffer(GLenum format);
-  GLuint texture() const { return texture_.get(); }
-  template <typename T>
-  void upload(std::span<const T> values) {
-    buffer_.upload(values);
-    glTextureBuffer(texture_.get(), format_, buffer_.get());
-  }
-
- private:
-  GLenum format_;
-  GlBuffer buffer_;
-  GlTexture texture_;
-};
-
 GlVertexArray make_vertex_array();
 GlFramebuffer make_framebuffer();
 GlTexture make_texture(GLenum target);

@@ -21,15 +21,21 @@ void GpuPlanting::prepare(const CellTables& tables, std::span<const SpeciesParam
     blade_count_ += planted.planted;
   }
   assert(blade_count_ * sizeof(Blade) <= kStorageLimitBytes);
-  batch_.set_tables(tables.tables, species);
+  blades_.reserve(blade_count_ * sizeof(Blade));
+  tables_ = tables.tables;
+  species_.assign(species.begin(), species.end());
   const bool has_features =
       std::any_of(tables.cells.begin(), tables.cells.end(),
                   [](const PlantedCell& cell) { return cell.feature_table != kNoTable; });
-  program_ = make_program(shader_folder_, {"pass/plant.comp"}, planting_variant(has_features));
+  program_ = make_program(shader_folder_, {"pass/plant.comp"}, {planting_variant(has_features)});
 }
 
 void GpuPlanting::plant() {
-  batch_.dispatch(program_.get(), cells_, sizeof(Blade), blades_);
+  stream_.begin_frame();
+  batch_.set_tables(stream_, tables_, species_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, blades_.get());
+  batch_.dispatch(stream_, program_.get(), cells_);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glFinish();
 }
 

@@ -24,7 +24,10 @@ class GpuPlanting {
  private:
   std::filesystem::path shader_folder_;
   GlProgram program_;
+  StreamBuffer stream_{std::size_t{1} << 20};
   ComputeBatch batch_;
+  std::vector<float> tables_;
+  std::vector<SpeciesParams> species_;
   std::vector<DrawnCell> cells_;
   std::size_t blade_count_ = 0;
   GlBuffer blades_;

@@ -80,13 +80,13 @@ GlTexture upload_flat_map(const FlatMap& map, bool repeats) {
 
 }  // namespace
 
-GroundPass::GroundPass(const World& world, const std::filesystem::path& shader_folder)
+GroundPass::GroundPass(const World& world, const std::filesystem::path& shader_folder,
+                       std::span<const double> blade_area_from_above_m2)
     : world_(&world),
       program_(make_program(shader_folder, {"pass/ground.vert", "pass/ground.frag"})),
       vertex_array_(make_vertex_array()) {
-  const FlatMap flat_map = make_flat_map(world.meadow());
+  const FlatMap flat_map = make_flat_map(world.meadow(), blade_area_from_above_m2);
   flat_period_m_ = flat_map.period_m;
-  mean_transmission_ = flat_map.mean_transmission;
   flat_map_ = upload_flat_map(flat_map, world.meadow().repeats);
 
   std::vector<std::uint16_t> indices;

@@ -18,7 +18,9 @@ namespace prairie {
 
 class GroundPass {
  public:
-  GroundPass(const World& world, const std::filesystem::path& shader_folder);
+  /// `blade_area_from_above_m2`: of each species (render/sward_tables.h).
+  GroundPass(const World& world, const std::filesystem::path& shader_folder,
+             std::span<const double> blade_area_from_above_m2);
 
   /// The frame block must be bound. `anchor_m`: as in it.
   void draw(const FramePlan& plan, glm::dvec3 anchor_m);
@@ -26,7 +28,7 @@ class GroundPass {
   /// fixed height.
   glm::dvec3 anchor_m(glm::dvec3 eye_m) const;
   /// What the frame block tells of the ground for this eye.
-  GroundLook look(glm::dvec3 eye_m) const { return {anchor_m(eye_m), flat_period_m_, mean_transmission_}; }
+  GroundLook look(glm::dvec3 eye_m) const { return {anchor_m(eye_m), flat_period_m_}; }
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
@@ -45,7 +47,6 @@ class GroundPass {
   GlBuffer patch_params_;
   GlTexture flat_map_;
   glm::dvec2 flat_period_m_{1.0};
-  glm::vec3 mean_transmission_{0.0f};
   struct IndexRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;

@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "shaders/kernels/kernels.h"
 
 namespace prairie {
 namespace {
@@ -26,28 +25,10 @@ glm::vec3 sun_direction(const SunSpec& sun) {
                               std::cos(azimuth) * std::cos(elevation), std::sin(elevation)));
 }
 
-// Mean over the parts of a dense sward that are seen from afar: the upper two thirds of blades that turn
-// every way.
-glm::vec3 flat_response(const FrameParams& frame, glm::vec3 transmission) {
-  constexpr int kTurns = 12;
-  constexpr int kHeights = 8;
-  Kernels kernels;
-  glm::vec3 sum(0.0f);
-  for (int turn = 0; turn < kTurns; ++turn) {
-    const float azimuth = 6.2831853f * (static_cast<float>(turn) + 0.5f) / kTurns;
-    const glm::vec3 normal(0.87f * std::cos(azimuth), 0.87f * std::sin(azimuth), 0.5f);
-    const float n_dot_l = glm::dot(normal, frame.sun_direction);
-    for (int part = 0; part < kHeights; ++part) {
-      const float l = 0.33f + 0.67f * (static_cast<float>(part) + 0.5f) / kHeights;
-      sum += kernels.blade_radiance(frame, glm::vec3(1.0f), transmission, 0.0f, l, 0.8f, n_dot_l, 1.0f);
-    }
-  }
-  return sum / static_cast<float>(kTurns * kHeights);
-}
-
 }  // namespace
 
-FrameParams frame_params(const World& world, const FramePlan& plan, const GroundLook& ground) {
+FrameParams frame_params(const World& world, const FramePlan& plan, const GroundLook& ground,
+                         const FieldLook& field) {
   const Camera& camera = plan.camera;
   const SunSpec& sun = world.scene().sun;
   const Meadow& meadow = world.meadow();
@@ -73,7 +54,13 @@ FrameParams frame_params(const World& world, const FramePlan& plan, const Ground
   frame.soil_color = meadow.soil_color;
   frame.anchor_m = glm::vec2(ground.anchor_m);
   frame.lod = plan.lod;
-  frame.flat_response = flat_response(frame, ground.mean_transmission);
+  frame.mean_albedo = field.mean_albedo;
+  frame.projected_from_above = static_cast<float>(field.projected_from_above);
+  frame.density_per_leaf_area = static_cast<float>(field.density_per_leaf_area);
+  frame.strip_height_m = static_cast<float>(field.height_m);
+  frame.blade_width_m = static_cast<float>(field.blade_width_m);
+  frame.lod_eye_m = glm::vec3(plan.lod_eye_m - camera.eye_m);
+  frame.tile_m = static_cast<float>(meadow.tile_m);
   return frame;
 }
 

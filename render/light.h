@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lod/frame_plan.h"
+#include "render/sward_tables.h"
 #include "shaders/shared/layouts.h"
 #include "world/world.h"
 
@@ -11,10 +12,10 @@ namespace prairie {
 struct GroundLook {
   glm::dvec3 anchor_m{0.0};           // where the mesh's frame has its origin
   glm::dvec2 flat_period_m{1.0};      // size of the flat tier's texture in the scene
-  glm::vec3 mean_transmission{0.0f};  // of the field's blades
 };
 
-/// The frame block of a plan, without jitter.
-FrameParams frame_params(const World& world, const FramePlan& plan, const GroundLook& ground);
+/// The frame block of a plan, without jitter and tint.
+FrameParams frame_params(const World& world, const FramePlan& plan, const GroundLook& ground,
+                         const FieldLook& field);
 
 }  // namespace prairie

@@ -35,7 +35,7 @@ RenderTarget::RenderTarget(glm::ivec2 size_px, bool msaa)
 void RenderTarget::begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glViewport(0, 0, size_px_.x, size_px_.y);
-  const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+  const float black[4] = {0.0f, 0.0f, 0.0f, 0.0f};
   const float far = 0.0f;
   glClearNamedFramebufferfv(framebuffer_.get(), GL_COLOR, 0, black);
   glClearNamedFramebufferfv(framebuffer_.get(), GL_DEPTH, 0, &far);

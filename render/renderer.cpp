@@ -15,6 +15,10 @@
 #include "render/light.h"
 #include "render/render_target.h"
 #include "render/shader_program.h"
+#include "render/stream_buffer.h"
+#include "render/strip_painter.h"
+#include "render/strip_pass.h"
+#include "render/sward_tables.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {
@@ -39,17 +43,27 @@ struct Renderer::Passes {
   Passes(const World& the_world, const std::filesystem::path& shader_folder)
       : world(&the_world),
         planner(the_world.meadow()),
-        ground(the_world, shader_folder),
+        sward(the_world.meadow()),
         blades(the_world, shader_folder),
+        strips(shader_folder),
         sky_program(make_program(shader_folder, {"pass/screen.vert", "pass/sky.frag"})),
         tone_program(make_program(shader_folder, {"pass/screen.vert", "pass/tone.frag"})),
-        no_vertices(make_vertex_array()) {}
+        no_vertices(make_vertex_array()) {
+    const FrameParams light = frame_params(the_world, FramePlan{}, GroundLook{}, FieldLook{});
+    sward.set_light(light);
+    ground.emplace(the_world, shader_folder, sward.blade_area_from_above_m2());
+    sward.bind();
+    strip_texture = StripPainter(the_world, shader_folder)
+                        .paint(stream, blades, frame_params(the_world, FramePlan{}, GroundLook{}, sward.field()),
+                               sward.species());
+  }
 
   FramePlan plan(const Camera& camera, const FrameOptions& options, FrameStatistics& statistics) {
     const auto start = std::chrono::steady_clock::now();
     const LodSpec& lod = world->scene().lod;
     FramePlan plan =
-        planner.plan(camera, {options.tier, lod.quality, lod.blade_distance_m, options.memory_budget_bytes});
+        planner.plan(camera, {options.tier, options.quality.value_or(lod.quality), lod.blade_distance_m,
+                              options.memory_budget_bytes, options.lod_eye_m});
     statistics.plan_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     statistics.blades_planted_in_view = plan.blades_planted_in_view;
@@ -63,14 +77,35 @@ struct Renderer::Passes {
     return *target;
   }
 
-  void draw(const FramePlan& plan, glm::vec2 jitter, FrameStatistics& statistics) {
-    const GroundLook look = ground.look(plan.camera.eye_m);
-    FrameParams frame = frame_params(*world, plan, look);
-    frame.jitter = jitter;
+  // Uploads the plan and has blades and strips grown.
+  void prepare(const FramePlan& plan, const FrameOptions& options, FrameStatistics& statistics) {
+    stream.begin_frame();
+    const GroundLook look = ground->look(plan.camera.eye_m);
+    frame = frame_params(*world, plan, look, sward.field());
+    frame.tint = options.tier_tint ? 1.0f : 0.0f;
     exposure = frame.exposure;
-    frame_block.upload(&frame, sizeof(frame));
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block.get());
+    show_frame();
+    sward.bind();
+    blades.prepare(stream, plan, sward.species());
+    strips.prepare(stream, plan, sward.species());
+    statistics.spline.triangles = blades.spline_triangles();
+    statistics.hermite.triangles = blades.hermite_triangles();
+    statistics.strip = {plan.blades_in_strips, strips.triangles()};
+    for (const CellGroup& group : plan.groups) {
+      std::uint64_t& sum = group.is_spline ? statistics.spline.blades : statistics.hermite.blades;
+      for (std::uint32_t n = 0; n < group.cell_count; ++n) sum += plan.cells[group.first_cell + n].drawn;
+    }
+  }
 
+  void show_frame() {
+    const StreamBuffer::Slice slice = stream.write(&frame, sizeof(frame));
+    glBindBufferRange(GL_UNIFORM_BUFFER, 0, slice.buffer, slice.offset, sizeof(frame));
+  }
+
+  void draw(const FramePlan& plan, glm::vec2 jitter, FrameStatistics& statistics) {
+    frame.jitter = jitter;
+    show_frame();
+    sward.bind();
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -78,8 +113,9 @@ struct Renderer::Passes {
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     // Blades first: they hide most of the ground, whose fragments cost more.
-    blades.draw(plan);
-    ground.draw(plan, look.anchor_m);
+    blades.draw(stream);
+    strips.draw(strip_texture.get());
+    ground->draw(plan, ground->anchor_m(plan.camera.eye_m));
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
     const glm::mat3 scene_from_view = view_directions(plan.camera);
@@ -88,7 +124,9 @@ struct Renderer::Passes {
     glBindVertexArray(no_vertices.get());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDepthMask(GL_TRUE);
-    statistics.triangles = blades.triangles_drawn() + ground.triangles_drawn();
+    statistics.flat.triangles = ground->triangles_drawn();
+    statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
+                           statistics.strip.triangles + statistics.flat.triangles;
   }
 
   static glm::mat3 view_directions(const Camera& camera) {
@@ -111,12 +149,16 @@ struct Renderer::Passes {
 
   const World* world;
   Planner planner;
-  GroundPass ground;
+  StreamBuffer stream{std::size_t{1} << 20};
+  SwardTables sward;
   BladePass blades;
+  StripPass strips;
+  std::optional<GroundPass> ground;
+  GlTexture strip_texture;
   GlProgram sky_program;
   GlProgram tone_program;
   GlVertexArray no_vertices;
-  GlBuffer frame_block;
+  FrameParams frame{};
   std::optional<RenderTarget> target;
   float exposure = 1.0f;
 };
@@ -130,6 +172,7 @@ FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options
   FrameStatistics statistics;
   const FramePlan plan = passes_->plan(camera, options, statistics);
   const RenderTarget& frame = passes_->target_of(camera, options.msaa);
+  passes_->prepare(plan, options, statistics);
   frame.begin();
   passes_->draw(plan, glm::vec2(0.0f), statistics);
   passes_->tone_map(frame.resolved(), target, camera.size_px);
@@ -144,32 +187,35 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
   picture.height = camera.size_px.y;
   const FramePlan plan = passes_->plan(camera, options, picture.statistics);
   const RenderTarget& frame = passes_->target_of(camera, options.msaa);
-  const std::size_t values = std::size_t{3} * picture.width * picture.height;
-  const std::size_t row_values = std::size_t{3} * picture.width;
+  const std::size_t values = std::size_t{4} * picture.width * picture.height;
   std::vector<double> sum(values, 0.0);
   std::vector<float> pixels(values);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  passes_->prepare(plan, options, picture.statistics);
   for (int sample = 0; sample < samples; ++sample) {
     frame.begin();
     passes_->draw(plan, jitter_of(sample, samples, camera.size_px), picture.statistics);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.resolved_framebuffer());
-    glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_FLOAT, pixels.data());
+    glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, pixels.data());
     for (std::size_t n = 0; n < values; ++n) sum[n] += static_cast<double>(pixels[n]);
   }
   check_context();
-  picture.linear_rgb.resize(values);
-  picture.srgb.resize(values);
+  const std::size_t pixel_count = values / 4;
+  picture.linear_rgb.resize(3 * pixel_count);
+  picture.srgb.resize(3 * pixel_count);
+  picture.cover.resize(pixel_count);
   Kernels kernels;
-  for (int y = 0; y < picture.height; ++y) {
+  for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) {
     // OpenGL's rows come from the bottom.
-    const std::size_t from = (static_cast<std::size_t>(picture.height) - 1 - y) * row_values;
-    for (std::size_t x = 0; x < row_values; ++x) {
-      const auto value = static_cast<float>(sum[from + x] / samples);
+    const std::size_t row = pixel / static_cast<std::size_t>(picture.width);
+    const std::size_t to = pixel + (static_cast<std::size_t>(picture.height) - 1 - 2 * row) * picture.width;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const auto value = static_cast<float>(sum[4 * pixel + channel] / samples);
       const float encoded = kernels.srgb_from_linear(kernels.tone_curve(passes_->exposure * value));
-      picture.linear_rgb[y * row_values + x] = value;
-      picture.srgb[y * row_values + x] =
+      picture.linear_rgb[3 * to + channel] = value;
+      picture.srgb[3 * to + channel] =
           static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(encoded, 0.0f, 1.0f)));
     }
+    picture.cover[to] = static_cast<float>(sum[4 * pixel + 3] / samples);
   }
   return picture;
 }

@@ -38,8 +38,8 @@ struct FrameOptions {
   bool msaa = false;  // 4 samples per pixel
   std::uint64_t memory_budget_bytes =
       std::numeric_limits<std::uint64_t>::max();  // for the plan (lod/planner.h)
-  std::optional<Quality> quality;                 // the scene's, if not given
-  std::optional<glm::dvec3> lod_eye_m;            // tiers are chosen for this eye; the camera's, if not given
+  std::optional<Quality> quality = {};                 // the scene's, if not given
+  std::optional<glm::dvec3> lod_eye_m = {};            // tiers are chosen for this eye; the camera's, if not given
   bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
 };
 
@@ -48,6 +48,7 @@ struct Picture {
   int height = 0;
   std::vector<float> linear_rgb;   // rows from the top
   std::vector<std::uint8_t> srgb;  // the same, exposed, tone-mapped, sRGB-encoded
+  std::vector<float> cover;        // share of each pixel that shows grass
   FrameStatistics statistics;
 };
 

@@ -60,12 +60,14 @@ std::string shader_source(const std::filesystem::path& folder, const std::string
 }
 
 GlProgram make_program(const std::filesystem::path& folder, std::initializer_list<const char*> names,
-                       std::string_view define) {
+                       std::initializer_list<std::string_view> defines) {
   GlProgram program(glCreateProgram());
   for (const char* name : names) {
     std::string source = shader_source(folder, name);
-    // The first line is #version, which must stay first.
-    if (!define.empty()) source.insert(source.find('\n') + 1, "#define " + std::string(define) + "\n");
+    for (const std::string_view define : defines) {
+      // The first line is #version, which must stay first.
+      if (!define.empty()) source.insert(source.find('\n') + 1, "#define " + std::string(define) + "\n");
+    }
     const char* text = source.c_str();
     const GLuint shader = glCreateShader(stage_of(name));
     glShaderSource(shader, 1, &text, nullptr);

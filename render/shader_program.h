@@ -14,10 +14,10 @@ namespace prairie {
 /// includes put in. Throws BadInput for a file that is not there.
 std::string shader_source(const std::filesystem::path& folder, const std::string& name);
 
-/// Compiles and links, with the preprocessor name `define` set if there is one; the kind of each stage
+/// Compiles and links, with the preprocessor names `defines` set (empty ones are none); the kind of each stage
 /// follows from its suffix (.vert, .frag, .comp). Throws NoSuitableOpenGl with the driver's message if it
 /// refuses them.
 GlProgram make_program(const std::filesystem::path& folder, std::initializer_list<const char*> names,
-                       std::string_view define = {});
+                       std::initializer_list<std::string_view> defines = {});
 
 }  // namespace prairie

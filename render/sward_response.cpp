@@ -237,13 +237,9 @@ SliceSums sums_of(const Sheet& sheet, std::size_t first, std::size_t last, glm::
 // One elevation: sums by sheet and slice.
 using View = std::vector<std::array<SliceSums, kSlices>>;
 
-double area_seen(const Sheet& sheet, const SliceSums& sums) {
-  return sheet.share * static_cast<double>(sums.all_round[7]);
-}
-
-double area_seen(const Sheet& sheet, const std::array<SliceSums, kSlices>& slices) {
+double area_seen(const std::array<SliceSums, kSlices>& slices) {
   double sum = 0.0;
-  for (const SliceSums& sums : slices) sum += area_seen(sheet, sums);
+  for (const SliceSums& sums : slices) sum += static_cast<double>(sums.all_round[7]);
   return sum;
 }
 
@@ -255,7 +251,8 @@ std::array<double, kSlices> visibility(const std::vector<Sheet>& sheets, const V
   double above = 0.0;
   for (std::size_t b = 0; b < kSlices; ++b) {
     double slice = 0.0;
-    for (std::size_t s = 0; s < sheets.size(); ++s) slice += area_seen(sheets[s], view[s][b]);
+    for (std::size_t s = 0; s < sheets.size(); ++s)
+      slice += sheets[s].share * static_cast<double>(view[s][b].all_round[7]);
     slice *= depth / projected;
     visible[b] = std::exp(-above) * (slice > 1e-9 ? -std::expm1(-slice) / slice : 1.0);
     above += slice;
@@ -265,21 +262,20 @@ std::array<double, kSlices> visibility(const std::vector<Sheet>& sheets, const V
 
 struct Seen {
   std::array<double, kLanes> lanes{};
-  Seen& operator+=(const Seen& other) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane] += other.lanes[lane];
-    return *this;
+  void add(const Seen& other, double share) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane] += share * other.lanes[lane];
   }
   double area() const { return lanes[7]; }
 };
 
-Seen seen_of(const Sheet& sheet, const std::array<SliceSums, kSlices>& slices, std::size_t azimuth,
+// Of one blade of each m², so that a species that is sown nowhere has its colour too.
+Seen seen_of(const std::array<SliceSums, kSlices>& slices, std::size_t azimuth,
              const std::array<double, kSlices>& visible) {
   Seen seen;
   for (std::size_t b = 0; b < kSlices; ++b) {
-    const double weight = visible[b] * sheet.share;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       seen.lanes[lane] +=
-          weight * static_cast<double>(slices[b].all_round[lane] + slices[b].sunlit[azimuth][lane]);
+          visible[b] * static_cast<double>(slices[b].all_round[lane] + slices[b].sunlit[azimuth][lane]);
     }
   }
   return seen;
@@ -323,10 +319,9 @@ void fill_elevation(const std::vector<Sheet>& sheets, const FrameParams& light, 
     const Sheet& sheet = sheets[s];
     for (std::size_t b = 0; b < kSlices; ++b)
       view[s][b] = sums_of(sheet, sheet.slice_begin[b], sheet.slice_begin[b + 1], to_eye, suns);
-    const double seen = area_seen(sheet, view[s]);
-    const double area = sheet.share * response.layers[s].blade_area_m2;
-    response.layers[s].projected[elevation] = static_cast<float>(area > 0.0 ? seen / area : 0.0);
-    projected += seen;
+    const double seen = area_seen(view[s]);
+    response.layers[s].projected[elevation] = static_cast<float>(seen / response.layers[s].blade_area_m2);
+    projected += sheet.share * seen;
   }
   response.projected[elevation] = static_cast<float>(projected);
 
@@ -340,12 +335,13 @@ void fill_elevation(const std::vector<Sheet>& sheets, const FrameParams& light, 
       const std::size_t node = (d * kAzimuths + a) * kElevations + elevation;
       Seen all;
       for (std::size_t s = 0; s < sheets.size(); ++s) {
-        seen[s] = seen_of(sheets[s], view[s], a, visible);
-        all += seen[s];
+        seen[s] = seen_of(view[s], a, visible);
+        all.add(seen[s], sheets[s].share);
       }
       store(response.colors, node, all, contour, projected);
       for (std::size_t s = 0; s < sheets.size(); ++s)
-        store(response.layers[s].colors, node, seen[s], contour, seen[s].area() / all.area());
+        store(response.layers[s].colors, node, seen[s], contour,
+              sheets[s].share * seen[s].area() / all.area());
     }
   }
 }

@@ -14,12 +14,14 @@ namespace prairie {
 
 namespace kernels {
 using glm::abs;
+using glm::floatBitsToUint;
 using glm::floor;
 using glm::ivec2;
 using glm::max;
 using glm::min;
 using glm::pow;
 using glm::sqrt;
+using glm::uintBitsToFloat;
 using glm::uvec2;
 using glm::uvec3;
 using glm::vec2;
@@ -43,12 +45,14 @@ struct Kernels {
 #include "shaders/kernels/cell_ground.glsl"
 #include "shaders/kernels/features.glsl"
 #include "shaders/kernels/plant.glsl"
+#include "shaders/kernels/tiers.glsl"
 #include "shaders/kernels/weight.glsl"
 #include "shaders/kernels/pose.glsl"
 #include "shaders/kernels/hermite.glsl"
 #include "shaders/kernels/chain.glsl"
 #include "shaders/kernels/blade_surface.glsl"
 #include "shaders/kernels/color.glsl"
+#include "shaders/kernels/radiance.glsl"
 #include "shaders/kernels/lighting.glsl"
 #include "shaders/kernels/tone.glsl"
 };

@@ -15,10 +15,10 @@ float visible_size(float n_dot_r) {
 
 // 1 − F before it is clamped to 1. `pixel_m`: height of a pixel at the blade; `distance_m`: from the eye.
 float keep_share(LodCoefficients lod, float n_dot_r, float pixel_m, float distance_m) {
+  if (lod.unthinned > 0.5f) return 1.0e6f;
   precise float d = pixel_m / lod.reference_pixel;
   precise float share = visible_size(n_dot_r) / (lod.a1 + d * (lod.a2 + d * lod.a3));
-  precise float sunk = smooth_ramp((distance_m - lod.fade_start_m) / (lod.fade_end_m - lod.fade_start_m));
-  precise float result = share * (1.0f - sunk);
+  precise float result = share * (1.0f - sunk_share(lod, distance_m));
   return result;
 }
 

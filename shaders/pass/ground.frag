@@ -1,12 +1,15 @@
 #version 450 core
-// The flat tier (G03 §3.5): ground in the mean colour of the blades that stand on it, and the soil between them. Where
-// blades are drawn it is their shaded floor; where they have sunk with distance it stands for them.
+// The flat tier (G03 §3.5): the floor between blades, and the sward's look from afar (render/sward_response.h) as far as the
+// tiers above do not show it: what blades and strips leave uncovered of the cover that all blades would have. Alpha holds that
+// cover.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 
 vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
+#include "shaders/pass/sward_look.glsl"
+#include "shaders/pass/tint.glsl"
 #include "shaders/pass/value_noise.glsl"
 
 layout(binding = 0) uniform sampler2D flat_map;  // rgb: mean albedo of the blades, a: the ground they cover
@@ -33,6 +36,27 @@ vec4 flat_map_over_footprint(vec2 uv) {
   return 0.25 * sum;
 }
 
+// The share of the line of sight's pixels that strips cover. Rows of them stand `frame.tile_m` apart both ways; where less than
+// one is met on the way through the sward, the ground is seen between them.
+float covered_by_strips(float optical_depth, float grown, vec3 to_eye, float sin_elevation) {
+  float level = sqrt(max(1.0 - sin_elevation * sin_elevation, 1.0e-6));
+  float rows_per_m = (abs(to_eye.x) + abs(to_eye.y)) / (level * frame.tile_m);
+  float rows = max(frame.strip_height_m * grown * rows_per_m * level / sin_elevation, 1.0e-4);
+  float met = min(rows, 1.0);
+  return met * (1.0 - exp(-grown * optical_depth / met));
+}
+
+// What the tiers above leave of `optical_depth`'s cover to the ground.
+float cover_left(float optical_depth, float n_dot_r, float pixel_m, float distance_m, vec3 to_eye, float sin_elevation) {
+  float morph = strip_morph(frame.lod, strip_band(frame.lod, distance_m), n_dot_r);
+  float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m);
+  float area = min(area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
+  float bare_of_blades = exp(-optical_depth * area * blades_left(morph));
+  float grown = strips_grown(morph) * (1.0 - sunk_share(frame.lod, distance_m));
+  float bare = bare_of_blades * (1.0 - covered_by_strips(optical_depth, grown, to_eye, sin_elevation));
+  return clamp(1.0 - exp(-optical_depth) / max(bare, 1.0e-6), 0.0, 1.0);
+}
+
 void main() {
   vec2 place_m = frame.anchor_m + (from_eye_m.xy - frame.ground_from_eye_m.xy);
   vec2 period_m = vec2(frame.flat_period_x_m, frame.flat_period_y_m);
@@ -42,32 +66,27 @@ void main() {
   float detail = frame.parallel > 0.5 ? 1.0 : saturate(1.5 - distance_m / 60.0);
   float grain = mix(0.5, 0.65 * value_noise(place_m * 9.0) + 0.35 * value_noise(place_m * 37.0), detail);
   float patchy = value_noise(place_m * 0.9);
-  grass.a = saturate(grass.a + 0.5 * (grain - 0.5) * grass.a * (1.0 - grass.a) * 4.0);
 
   vec3 normal = normalize(ground_normal);
-  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m / max(distance_m, 1e-4);
-  float n_dot_v = saturate(dot(normal, to_eye));
-  // What covers a share of the ground from above covers more of it the flatter one looks: leaf area along the ray.
-  float slant = sqrt(max(1.0 - n_dot_v * n_dot_v, 0.0)) / max(n_dot_v, 0.02);
-  float cover = 1.0 - pow(1.0 - min(grass.a, 0.999), 1.0 + 1.6 * slant);
+  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m / max(distance_m, 1.0e-4);
+  SwardView view = sward_view(normal, to_eye);
+  float leaf_area = -log(1.0 - min(grass.a, 0.998)) / frame.projected_from_above;
+  float optical_depth = sward_optical_depth(view, leaf_area);
+  float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
+  vec3 sward = sward_color(kMix, view, optical_depth, shade) * grass.rgb / frame.mean_albedo;
+  sward *= 0.86 + 0.28 * patchy;
 
+  // Between blades: soil, and dead leaves in the sward's shade.
   float n_dot_l = dot(normal, frame.sun_direction);
   vec3 soil_albedo = frame.soil_color * (0.6 + 0.8 * grain);
   vec3 soil = soil_albedo * (frame.top_ambient + frame.sun_radiance * max(n_dot_l, 0.0));
-
-  // Blades turn every way, so a slope changes what the sun gives them by less than it changes flat ground's.
-  float tilt = mix(1.0, clamp(n_dot_l / max(frame.sun_direction.z, 0.05), 0.0, 2.0), 0.5);
-  float contour = 0.05 * power10(1.0 - n_dot_v);
-  vec3 sward = grass.rgb * frame.flat_response * tilt * (0.86 + 0.28 * patchy) + contour * frame.horizon_radiance * cover;
-
-  // Between standing blades: dead leaves in the sward's shade.
   vec3 litter = mix(grass.rgb, vec3(0.10, 0.085, 0.04), 0.3) * (0.55 + 0.9 * grain);
   vec3 floor_of_sward = mix(soil, litter * (frame.root_ambient * 1.3 + 0.035 * frame.sun_radiance), smooth_ramp(1.6 * grass.a));
 
-  vec3 distant = mix(floor_of_sward, sward, cover);
-
-  // Where blades are thinned, gaps between them stand for blades; where they have sunk, the ground does.
-  float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
-  float standing = smooth_ramp(2.5 * keep_share(frame.lod, n_dot_v, pixel_m, distance_m));
-  color = vec4(hazed(mix(distant, floor_of_sward, standing), from_eye_m), 1.0);
+  vec3 from_lod_eye_m = from_eye_m - frame.lod_eye_m;
+  float lod_distance_m = length(from_lod_eye_m);
+  vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(lod_distance_m, 1.0e-4);
+  float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * lod_distance_m;
+  float cover = cover_left(optical_depth, dot(normal, to_lod_eye), pixel_m, lod_distance_m, to_eye, view.sin_elevation);
+  color = vec4(hazed(mix(floor_of_sward, tinted_tier(sward, kFlatTint), cover), haze_at(from_eye_m)), cover);
 }

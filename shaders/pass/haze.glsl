@@ -9,10 +9,18 @@ vec3 sky_radiance(vec3 direction) {
   return sky + frame.sun_radiance * (0.10f * halo * (0.4f + 0.6f * low));
 }
 
-vec3 hazed(vec3 radiance, vec3 from_eye_m) {
-  if (frame.parallel > 0.5f) return radiance;
+struct Haze {
+  vec3 color;
+  float share;
+};
+
+Haze haze_at(vec3 from_eye_m) {
   float distance_m = length(from_eye_m);
-  float haze = 1.0f - exp(-frame.haze_per_m * distance_m);
   vec3 direction = from_eye_m / max(distance_m, 1.0e-4f);
-  return mix(radiance, sky_radiance(vec3(direction.xy, max(direction.z, 0.0f) * 0.3f)), haze);
+  Haze haze;
+  haze.color = sky_radiance(vec3(direction.xy, max(direction.z, 0.0f) * 0.3f));
+  haze.share = frame.parallel > 0.5f ? 0.0f : 1.0f - exp(-frame.haze_per_m * distance_m);
+  return haze;
 }
+
+vec3 hazed(vec3 radiance, Haze haze) { return mix(radiance, haze.color, haze.share); }

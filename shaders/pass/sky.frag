@@ -26,7 +26,7 @@ float cloud_cover(vec2 place) {
 void main() {
   vec3 direction = normalize(scene_from_view * vec3(clip_xy, 1.0));
   if (frame.parallel > 0.5) {
-    color = vec4(frame.horizon_radiance, 1.0);
+    color = vec4(frame.horizon_radiance, 0.0);
     return;
   }
   vec3 sky = sky_radiance(direction);
@@ -34,5 +34,5 @@ void main() {
   float clouds = cloud_cover(direction.xy / (up + 0.12) * vec2(1.1, 1.7) + 3.0) * smooth_ramp(up * 5.0 - 0.15);
   float towards_sun = max(dot(direction, frame.sun_direction), 0.0);
   vec3 lit = 1.15 * frame.horizon_radiance + frame.sun_radiance * (0.05 + 0.25 * pow(towards_sun, 6.0));
-  color = vec4(mix(sky, lit, 0.75 * clouds), 1.0);
+  color = vec4(mix(sky, lit, 0.75 * clouds), 0.0);
 }

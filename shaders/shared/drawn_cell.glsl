@@ -1,4 +1,4 @@
-// A planted cell as a frame draws it. std430.
+// A planted cell as a frame draws it in 3D blades. std430.
 
 struct DrawnCell {
   PlantedCell planted;
@@ -7,5 +7,5 @@ struct DrawnCell {
   uint drawn;             // how many of its blades are drawn at most: those from first_index on
   uint segments;          // along each blade
   uint first_index;       // 0, but in the later pieces of a cell too large for one buffer
-  uint reserved;          // fills the struct to a multiple of 16 bytes
+  float morph;            // how far its tile has morphed from 3D blades (0) to strips (1)
 };

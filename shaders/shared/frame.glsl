@@ -19,10 +19,16 @@ struct FrameParams {
   vec3 ground_from_eye_m;    // the ground mesh's anchor as seen from the eye
   float flat_period_y_m;
   vec3 soil_color;
-  float reserved;            // fills the row
-  vec3 flat_response;        // radiance of a sward of albedo 1 on level ground, seen from afar
-  float reserved_too;
+  float tint;                // 1: tiers are tinted
+  vec3 mean_albedo;          // of the field's leaves, per leaf area
+  float projected_from_above;  // leaf area seen straight from above per leaf area
+  vec3 lod_eye_m;            // the eye for which tiers are chosen, as seen from the camera's
+  float density_per_leaf_area;  // blades per square metre of leaf, mean of the field
   vec2 anchor_m;             // the anchor's place in the scene
   vec2 jitter;               // sub-pixel shift of clip space
+  float strip_height_m;      // mean height of standing blades
+  float tile_m;
+  float blade_width_m;       // mean of the field
+  float reserved;            // fills the row
   LodCoefficients lod;
 };

@@ -24,8 +24,12 @@ using uint = glm::uint;
 #include "shaders/shared/drawn_cell.glsl"
 #include "shaders/shared/lod.glsl"
 #include "shaders/shared/frame.glsl"
-#include "shaders/shared/posed_blade.glsl"
+#include "shaders/shared/grown_vertex.glsl"
+#include "shaders/shared/strip_tile.glsl"
+#include "shaders/shared/strip_vertex.glsl"
 #include "shaders/shared/species.glsl"
+#include "shaders/shared/strip_scale.glsl"
+#include "shaders/shared/sward_axes.glsl"
 #include "shaders/shared/texels.glsl"
 
 }  // namespace layouts
@@ -33,21 +37,28 @@ using uint = glm::uint;
 using layouts::Blade;
 using layouts::DrawnCell;
 using layouts::FrameParams;
+using layouts::GrownVertex;
 using layouts::LodCoefficients;
 using layouts::PlantedCell;
-using layouts::PosedBlade;
 using layouts::SpeciesParams;
+using layouts::kBrightest;
+using layouts::kSwardDeepest;
+using layouts::kSwardLowestSine;
+using layouts::StripTile;
+using layouts::StripVertex;
 
 constexpr std::size_t kTexelBytes = 16;
 static_assert(sizeof(Blade) == kTexelBytes * layouts::kBladeTexels);
 static_assert(offsetof(Blade, lean) == 32);
 static_assert(sizeof(DrawnCell) == kTexelBytes * layouts::kCellTexels);
 static_assert(offsetof(DrawnCell, eye_from_tile_m) == 80);
-static_assert(sizeof(FrameParams) == 272);
-static_assert(offsetof(FrameParams, anchor_m) == 224);
-static_assert(offsetof(FrameParams, lod) == 240);
-static_assert(sizeof(LodCoefficients) == 32);
-static_assert(sizeof(PosedBlade) == kTexelBytes * layouts::kPosedTexels);
+static_assert(sizeof(FrameParams) == 336);
+static_assert(offsetof(FrameParams, anchor_m) == 240);
+static_assert(offsetof(FrameParams, lod) == 272);
+static_assert(sizeof(LodCoefficients) == 64);
+static_assert(sizeof(GrownVertex) == kTexelBytes);
+static_assert(sizeof(StripTile) == kTexelBytes * layouts::kStripTileTexels);
+static_assert(sizeof(StripVertex) == kTexelBytes * layouts::kStripVertexTexels);
 static_assert(sizeof(PlantedCell) == 80);
 static_assert(offsetof(PlantedCell, clump_lattice) == 32);
 static_assert(sizeof(SpeciesParams) == kTexelBytes * layouts::kSpeciesTexels);

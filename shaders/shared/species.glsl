@@ -24,5 +24,6 @@ struct SpeciesParams {
   float clump_m;           // distance between tufts
   float clump_strength;    // 0 = every blade for itself, 1 = blades of a tuft share height, lean and hue
   float clump_spray_rad;   // how far blades lean away from their tuft's centre
-  vec2 reserved;            // fills the struct to a multiple of 16 bytes
+  float blade_area_m2;     // one side of a mean blade; found by the renderer
+  float densest_per_m2;    // the densest stand of the field; found by the renderer
 };

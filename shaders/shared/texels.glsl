@@ -3,5 +3,10 @@
 const int kBladeTexels = 4;
 const int kCellTexels = 7;
 const int kSpeciesTexels = 8;
-const int kPosedTexels = 5;
+const int kStripTileTexels = 8;
+const int kStripVertexTexels = 2;
+const int kStripQuads = 4;  // along a side of a tile, where strips are near
 const int kPlantingGroup = 64;
+
+// No blade is longer than the mean by more than this many spreads (grow_blade in shaders/kernels/plant.glsl: 0.5 + 0.8).
+const float kTallestSpread = 1.3f;

@@ -36,7 +36,7 @@ TEST(OptionValues, TilesInEitherOrder) {
 }
 
 TEST(OptionValues, TiersHaveNames) {
-  for (const Tier tier : {Tier::kAuto, Tier::kHermite, Tier::kFlat}) {
+  for (const Tier tier : {Tier::kAuto, Tier::kSpline, Tier::kHermite, Tier::kStrip, Tier::kFlat}) {
     EXPECT_EQ(tier_option("--tier", tier_name(tier)), tier);
   }
 }

@@ -73,7 +73,7 @@ struct Outcome {
 Outcome outcome_for(double steepness, double curvature_m, bool parallel) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> place(0.0f, static_cast<float>(kCellM));
-  LodCoefficients lod = lod_coefficients(Quality::kMedium, 120.0);
+  LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   if (parallel) lod.fade_start_m = 1e9f, lod.fade_end_m = 2e9f;
   Outcome outcome;
   for (int n = 0; n < kScenes; ++n) {
@@ -126,7 +126,7 @@ TEST(KeepBoundTest, HoldsInParallelProjections) {
 
 /// A blade that is drawn nowhere else has not grown.
 TEST(DrawnBoundTest, LeavesOutOnlyBladesThatHaveNotGrown) {
-  const LodCoefficients lod = lod_coefficients(Quality::kMedium, 120.0);
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   std::mt19937 random(8);
   std::uniform_real_distribution<float> unit(0.001f, 0.999f);
   for (int n = 0; n < 20000; ++n) {

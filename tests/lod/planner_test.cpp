@@ -60,11 +60,19 @@ bool sees(const Camera& camera, glm::vec3 from_eye_m) {
   return clip.w > 0.0f && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w && clip.z < clip.w;
 }
 
-/// Plants and poses every blade of the meadow as shaders/pass/pose.comp does, and asks of each that shows
+/// How far each cell's tile has morphed.
+std::map<Key, float> morph_by_cell(const FramePlan& plan) {
+  std::map<Key, float> morph;
+  for (const DrawnCell& cell : plan.cells) morph[{cell.planted.key.x, cell.planted.species}] = cell.morph;
+  return morph;
+}
+
+/// Plants and poses every blade of the meadow as shaders/pass/grow.comp does, and asks of each that shows
 /// anything whether the plan draws it. Returns how many show.
 int expect_seen_blades_planned(const Meadow& meadow, const Camera& camera, const PlanOptions& options) {
   const FramePlan plan = Planner(meadow).plan(camera, options);
   const std::map<Key, std::uint32_t> drawn = drawn_by_cell(plan);
+  const std::map<Key, float> morphs = morph_by_cell(plan);
   const PlantingLattice lattice(meadow);
   const auto pixel = static_cast<float>(camera.pixel_m());
   int shown = 0, missing = 0;
@@ -80,6 +88,9 @@ int expect_seen_blades_planned(const Meadow& meadow, const Camera& camera, const
         plant_cell(cell, meadow.species[cell.species].species.params, tables.tables, blades);
         const auto entry = drawn.find({cell.key.x, cell.species});
         const std::uint32_t planned = entry == drawn.end() ? 0 : entry->second;
+        // Strips stand for the blades of a tile that the plan leaves out; such tiles lie beyond the band's start.
+        const auto morph = morphs.find({cell.key.x, cell.species});
+        const float left = morph == morphs.end() ? 1.0f : kernels.blades_left(morph->second);
         for (std::uint32_t k = planned; k < cell.planted; ++k) {
           const Blade& blade = blades[k];
           const auto ground =
@@ -90,9 +101,11 @@ int expect_seen_blades_planned(const Meadow& meadow, const Camera& camera, const
           const float keep = kernels.keep_share(plan.lod, kernels.inner(normal, -root_m / distance_m),
                                                 pixel * distance_m, distance_m);
           const float rank = (static_cast<float>(k) + cell.rank_offset) / static_cast<float>(cell.planted);
-          const float growth = kernels.growth_of(plan.lod, keep, rank);
+          if (morph == morphs.end() && distance_m > plan.lod.strip_start_m) continue;
+          const float growth = kernels.growth_of(plan.lod, keep * left, rank);
           if (growth <= 0.0f) continue;
-          const auto curve = kernels.pose_blade(blade, ground.slope, growth);
+          const auto curve =
+              kernels.curve_of(kernels.chain_of(blade, kernels.pose_blade(blade, ground.slope, growth), growth));
           for (const float t : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
             const glm::vec3 point_m = kernels.hermite_point(curve.base_m, curve.tip_m, curve.base_tangent_m,
                                                             curve.tip_tangent_m, t);
@@ -170,11 +183,17 @@ TEST(PlannerTest, GroupsHoldAllCellsOfOneSegmentCountNearestFirst) {
   const FramePlan plan = Planner(meadow).plan(camera, {Tier::kAuto, Quality::kMedium, 120.0});
   ASSERT_GE(plan.groups.size(), 3u);
   std::uint32_t next = 0, segments = 1000;
+  bool is_spline = true;
   std::uint64_t blades = 0;
   for (const CellGroup& group : plan.groups) {
     EXPECT_EQ(group.first_cell, next);
     EXPECT_GT(group.cell_count, 0u);
-    EXPECT_LT(group.segments, segments) << "most segments first";
+    if (is_spline == group.is_spline) {
+      EXPECT_LT(group.segments, segments) << "most segments first";
+    } else {
+      EXPECT_FALSE(group.is_spline) << "splines first";
+    }
+    is_spline = group.is_spline;
     segments = group.segments;
     double previous_m = 0.0;
     for (std::uint32_t n = next; n < next + group.cell_count; ++n) {
@@ -231,20 +250,100 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
-TEST(PlannerTest, PlansDoNotDependOnWhatWasPlannedBefore) {
+/// What was planned before shows in nothing but the play of morphing tiles.
+TEST(PlannerTest, PlansDependOnTheCameraButForTheirPlay) {
   const Meadow meadow = small_rich_meadow();
   std::mt19937 random(44);
   Planner used(meadow);
   for (int n = 0; n < 300; ++n) {
     const Camera camera = random_camera(meadow, random);
-    const FramePlan plan = used.plan(camera, {});
+    used.plan(camera, {});
     if (n % 30 != 0) continue;
+    // Tiles that are out of view for a frame forget.
+    Camera away = camera;
+    away.eye_m = {-500.0, -500.0, 1000.0};
+    used.plan(away, {});
+    const FramePlan plan = used.plan(camera, {});
     const FramePlan fresh = Planner(meadow).plan(camera, {});
     ASSERT_TRUE(same_bytes(plan.cells, fresh.cells));
     ASSERT_TRUE(same_bytes(plan.tables, fresh.tables));
+    ASSERT_TRUE(same_bytes(plan.strips, fresh.strips));
     ASSERT_EQ(plan.ground.size(), fresh.ground.size());
     ASSERT_EQ(plan.blades_drawn, fresh.blades_drawn);
   }
+}
+
+std::map<std::pair<float, float>, float> morphs_by_place(const FramePlan& plan) {
+  std::map<std::pair<float, float>, float> morphs;
+  for (const DrawnCell& cell : plan.cells) {
+    // Tiles lie on whole multiples of their side from the scene's origin.
+    const glm::dvec2 tile_m = glm::dvec2(glm::vec2(cell.eye_from_tile_m)) + glm::dvec2(plan.camera.eye_m);
+    morphs[{std::round(static_cast<float>(tile_m.x)), std::round(static_cast<float>(tile_m.y))}] = cell.morph;
+  }
+  return morphs;
+}
+
+/// An eye that trembles by a few centimetres leaves morphing tiles as they are; one that walks on carries them with it.
+TEST(PlannerTest, MorphsHavePlay) {
+  const Meadow meadow = level_meadow(kExtentM, uniform_density(100.0));
+  Planner planner(meadow);
+  const auto plan_at = [&](double y) { return planner.plan(camera_at({20.0, y, 1.7}, 0.0, -0.05), {}); };
+  const auto before = morphs_by_place(plan_at(1.0));
+  for (const double y : {1.03, 0.97, 1.05, 0.95, 1.0}) {
+    for (const auto& [place, morph] : morphs_by_place(plan_at(y))) {
+      if (before.contains(place)) {
+        EXPECT_FLOAT_EQ(morph, before.at(place));
+      }
+    }
+  }
+  const auto walked = morphs_by_place(plan_at(4.0));
+  const auto fresh = morphs_by_place(Planner(meadow).plan(camera_at({20.0, 4.0, 1.7}, 0.0, -0.05), {}));
+  int morphing = 0;
+  for (const auto& [place, morph] : fresh) {
+    if (morph <= 0.0f || !walked.contains(place)) continue;
+    ++morphing;
+    EXPECT_NEAR(walked.at(place), morph, 0.04f);
+  }
+  EXPECT_GT(morphing, 5);
+}
+
+/// Tiers follow the eye that they are asked to follow, the view does not.
+TEST(PlannerTest, TiersAreChosenForAnotherEye) {
+  const Meadow meadow = level_meadow(kExtentM, uniform_density(100.0));
+  const Camera camera = camera_at({20.0, -2.0, 1.7}, 0.0, -0.05);
+  PlanOptions options;
+  options.lod_eye_m = glm::dvec3(20.0, -60.0, 1.7);
+  const FramePlan plan = Planner(meadow).plan(camera, options);
+  EXPECT_TRUE(plan.cells.empty());
+  EXPECT_FALSE(plan.strips.empty());
+  options.lod_eye_m = camera.eye_m;
+  const FramePlan own = Planner(meadow).plan(camera, options);
+  const FramePlan usual = Planner(meadow).plan(camera, {});
+  EXPECT_TRUE(same_bytes(own.cells, usual.cells));
+  EXPECT_TRUE(same_bytes(own.strips, usual.strips));
+}
+
+/// Every tile in view stands in 3D or in strips or in both, until it has sunk.
+TEST(PlannerTest, StripsTakeOverFromBlades) {
+  const Meadow meadow = level_meadow(kExtentM, uniform_density(100.0));
+  const FramePlan plan = Planner(meadow).plan(camera_at({20.0, -2.0, 1.7}, 0.0, -0.05), {});
+  int both = 0;
+  for (const StripTile& strip : plan.strips) {
+    EXPECT_GT(strip.grown, 0.0f);
+    EXPECT_LE(strip.grown, 1.0f);
+    for (const DrawnCell& cell : plan.cells) {
+      if (cell.eye_from_tile_m != strip.eye_from_tile_m) continue;
+      ++both;
+      EXPECT_GT(cell.morph, 0.0f);
+      EXPECT_LT(cell.morph, 1.0f);
+      break;
+    }
+  }
+  EXPECT_GT(both, 2);
+  EXPECT_LT(static_cast<std::size_t>(both), plan.strips.size());
+  const FramePlan steep = Planner(meadow).plan(camera_at({20.0, 20.0, 40.0}, 0.0, -1.3), {});
+  EXPECT_TRUE(steep.strips.empty()) << "seen from above, thinned blades stand";
+  EXPECT_FALSE(steep.cells.empty());
 }
 
 /// Walking never makes a cell of the middle distance drop many blades at once: the counts in the plan follow

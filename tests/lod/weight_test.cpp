@@ -29,7 +29,7 @@ TEST(WeightTest, KeepShareIsOneMinusF) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> cosine(-1.0, 1.0), distance(0.05, 150.0), pixel(0.3, 3.0);
   for (const Quality quality : {Quality::kLow, Quality::kMedium, Quality::kHigh}) {
-    const LodCoefficients lod = lod_coefficients(quality, 120.0);
+    const LodCoefficients lod = tier_coefficients(Tier::kAuto, quality, 120.0, Camera{});
     for (int n = 0; n < 100000; ++n) {
       const double n_dot_r = cosine(random);
       const double distance_m = distance(random);
@@ -44,7 +44,7 @@ TEST(WeightTest, KeepShareIsOneMinusF) {
 }
 
 TEST(WeightTest, FallsWithDistanceAndEndsWhereBladesEnd) {
-  const LodCoefficients lod = lod_coefficients(Quality::kMedium, 120.0);
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   float previous = 1e30f;
   for (float distance_m = 0.1f; distance_m < 130.0f; distance_m += 0.05f) {
     const float keep = Kernels{}.keep_share(lod, 0.3f, lod.reference_pixel * distance_m, distance_m);
@@ -57,13 +57,13 @@ TEST(WeightTest, FallsWithDistanceAndEndsWhereBladesEnd) {
 }
 
 TEST(WeightTest, FinerPicturesThinLater) {
-  const LodCoefficients lod = lod_coefficients(Quality::kMedium, 120.0);
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   EXPECT_GT(Kernels{}.keep_share(lod, 0.3f, 0.5f * lod.reference_pixel * 20.0f, 20.0f),
             Kernels{}.keep_share(lod, 0.3f, lod.reference_pixel * 20.0f, 20.0f));
 }
 
 TEST(WeightTest, AreaLeftIsTheIntegralOfGrowth) {
-  const LodCoefficients lod = lod_coefficients(Quality::kMedium, 120.0);
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   for (const float keep : {1e-4f, 0.01f, 0.3f, 0.8f, 0.999f, 1.0f, 1.001f, 1.2f, 1.4f, 1.43f, 2.0f, 50.0f}) {
     double sum = 0.0;
     constexpr int kRanks = 200000;
@@ -76,7 +76,7 @@ TEST(WeightTest, AreaLeftIsTheIntegralOfGrowth) {
 
 /// Blades that stay stand for those left out, as long as none is wider than its limit of pixels.
 TEST(WeightTest, WideningKeepsTheCover) {
-  const LodCoefficients lod = lod_coefficients(Quality::kMedium, 120.0);
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   constexpr float kWidthM = 0.004f;
   for (float distance_m = 0.5f; distance_m < 60.0f; distance_m *= 1.1f) {
     const float pixel_m = lod.reference_pixel * distance_m;
@@ -97,7 +97,7 @@ TEST(WeightTest, WideningKeepsTheCover) {
 /// a step from 3 m on, wherever it ranks. (Nearer than that, all blades stand anyway.)
 TEST(WeightTest, BladesGrowInRatherThanPop) {
   for (const Quality quality : {Quality::kLow, Quality::kMedium, Quality::kHigh}) {
-    const LodCoefficients lod = lod_coefficients(quality, 120.0);
+    const LodCoefficients lod = tier_coefficients(Tier::kAuto, quality, 120.0, Camera{});
     double fastest = 0.0;
     for (int rank = 0; rank <= 1000; ++rank) {
       float previous = -1.0f;
@@ -118,7 +118,7 @@ TEST(WeightTest, BladesGrowInRatherThanPop) {
 }
 
 TEST(WeightTest, AllBladesMeansAll) {
-  const LodCoefficients lod = all_blades();
+  const LodCoefficients lod = tier_coefficients(Tier::kSpline, Quality::kMedium, 120.0, Camera{});
   for (const float distance_m : {0.1f, 10.0f, 1000.0f, 100000.0f}) {
     for (const float n_dot_r : {0.0f, 0.01f, 0.26f, 1.0f}) {
       const float keep = Kernels{}.keep_share(lod, n_dot_r, lod.reference_pixel * distance_m, distance_m);

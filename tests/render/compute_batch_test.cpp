@@ -11,8 +11,8 @@ TEST(ComputeBatchTest, PiecesHoldEveryBladeOnce) {
   cells[0].drawn = 10;
   cells[1].drawn = 4'480'000;
   cells[2].drawn = 7;
-  const std::size_t most = most_blades(sizeof(PosedBlade));
-  EXPECT_LE(most * sizeof(PosedBlade), kStorageLimitBytes);
+  const std::size_t most = most_blades(15 * sizeof(GrownVertex));
+  EXPECT_LE(most * 15 * sizeof(GrownVertex), kStorageLimitBytes);
   const std::vector<DrawnCell> pieces = pieces_of(cells, most);
   std::uint64_t blades = 0;
   std::uint32_t next = 0;

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "generator/meadow.h"
 
 namespace prairie {
 namespace {
+
+constexpr std::array kAreaFromAbove{0.0006};  // of one blade, m²
 
 Meadow uniform_meadow(float blade_height) {
   Meadow meadow;
@@ -24,8 +28,8 @@ Meadow uniform_meadow(float blade_height) {
 }
 
 TEST(FlatMapTest, LengthOfBladesChangesCoverAlone) {
-  const FlatMap low = make_flat_map(uniform_meadow(0.5f));
-  const FlatMap tall = make_flat_map(uniform_meadow(2.0f));
+  const FlatMap low = make_flat_map(uniform_meadow(0.5f), kAreaFromAbove);
+  const FlatMap tall = make_flat_map(uniform_meadow(2.0f), kAreaFromAbove);
   ASSERT_EQ(low.srgb_and_cover.size(), tall.srgb_and_cover.size());
   for (std::size_t n = 0; n < low.srgb_and_cover.size(); ++n) {
     if (n % 4 == 3) {
@@ -38,11 +42,11 @@ TEST(FlatMapTest, LengthOfBladesChangesCoverAlone) {
 
 TEST(FlatMapTest, TexelsLieOnTheBordersOrRepeatWithTheField) {
   Meadow meadow = uniform_meadow(1.0f);
-  const FlatMap bordered = make_flat_map(meadow);
+  const FlatMap bordered = make_flat_map(meadow, kAreaFromAbove);
   EXPECT_NEAR(bordered.period_m.x * (bordered.columns - 1) / bordered.columns, 10.0, 1e-9);
   EXPECT_NEAR(bordered.period_m.y * (bordered.rows - 1) / bordered.rows, 6.0, 1e-9);
   meadow.repeats = true;
-  const FlatMap repeated = make_flat_map(meadow);
+  const FlatMap repeated = make_flat_map(meadow, kAreaFromAbove);
   EXPECT_NEAR(repeated.period_m.x, 10.0, 1e-9);
   EXPECT_NEAR(repeated.period_m.y, 6.0, 1e-9);
 }

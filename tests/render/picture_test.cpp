@@ -47,7 +47,7 @@ TEST_F(PictureTest, IsTheSameEveryTime) {
 
 TEST_F(PictureTest, LooksLikeGrassUnderASky) {
   const World world = open_world(meadow_scene(folder_));
-  for (const Tier tier : {Tier::kAuto, Tier::kHermite, Tier::kFlat}) {
+  for (const Tier tier : {Tier::kAuto, Tier::kSpline, Tier::kHermite, Tier::kStrip, Tier::kFlat}) {
     const Picture picture = Renderer(world, PRAIRIE_TEST_SHADERS)
                                 .render(camera_above(world, {8.0, 1.0}, 1.7, 0.0, -0.1), {tier, false}, 1);
     const std::array<double, 3> grass = mean_color(picture, 80, 120);

@@ -1,0 +1,27 @@
+// Draws the strips' texture (render/strip_texture.h) with the renderer's own blades, on level ground in the scene's light.
+#pragma once
+
+#include <filesystem>
+
+#include "render/blade_pass.h"
+#include "render/gl_objects.h"
+#include "render/stream_buffer.h"
+#include "world/world.h"
+
+namespace prairie {
+
+class StripPainter {
+ public:
+  StripPainter(const World& world, const std::filesystem::path& shader_folder);
+
+  /// An array texture of kStripFacings layers a species. `light`: a frame block of the scene; overwrites the bound one.
+  /// The sward's tables must be bound.
+  GlTexture paint(StreamBuffer& stream, BladePass& blades, const FrameParams& light,
+                  std::span<const SpeciesParams> species);
+
+ private:
+  const World* world_;
+  GlProgram program_;
+};
+
+}  // namespace prairie

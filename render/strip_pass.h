@@ -1,0 +1,49 @@
+// Draws the plan's strips (G03 §3.4): a compute shader lays them along the tiles' sides and paints them, an alpha test
+// shows as many blades of the texture as the density asks for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "lod/frame_plan.h"
+#include "render/gl_objects.h"
+#include "render/stream_buffer.h"
+#include "render/texel_view.h"
+
+namespace prairie {
+
+class StripPass {
+ public:
+  explicit StripPass(const std::filesystem::path& shader_folder);
+
+  /// Lays the plan's strips. The frame block and the sward's tables must be bound.
+  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species);
+  /// Draws them with a texture of render/strip_texture.h.
+  void draw(GLuint strip_texture);
+
+  std::uint64_t triangles() const { return triangles_; }
+
+ private:
+  /// Tiles whose strips have equally many quads a side.
+  struct Run {
+    std::uint32_t first_tile = 0;
+    std::uint32_t tiles = 0;
+    std::uint32_t quads = 1;
+    std::uint32_t first_column = 0;
+  };
+  void lay(const Run& run);
+
+  GlProgram lay_program_;
+  GlProgram draw_program_;
+  GlVertexArray vertex_array_;
+  GlBuffer vertices_;
+  GlBuffer near_indices_;
+  GlBuffer far_indices_;
+  TexelView tiles_{GL_RGBA32UI};
+  TexelView species_{GL_RGBA32F};
+  Run near_;
+  Run far_;
+  std::uint64_t triangles_ = 0;
+};
+
+}  // namespace prairie

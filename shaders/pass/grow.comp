@@ -1,0 +1,109 @@
+#version 450 core
+// Plants and poses the blades of a batch and gives each its vertices, lit (B11 §2.3), as seen from the eye (docs/design.md, D3).
+// Vertices come in pairs from the foot up, the last one is the tip. Lit here, since blades are a pixel or two wide.
+//
+// Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03 §3.3); both have the
+// same pose, and the first turns into the second over a band of distances.
+#include "shaders/pass/layouts.glsl"
+#include "shaders/pass/frame_block.glsl"
+#include "shaders/pass/planting.glsl"
+#include "shaders/pass/haze.glsl"
+#include "shaders/pass/sward_look.glsl"
+#include "shaders/pass/tint.glsl"
+
+layout(std430, binding = 4) writeonly buffer GrownVertices { uvec4 vertices[]; };  // GrownVertex
+layout(location = 1) uniform uint segments;
+layout(location = 2) uniform uint first_vertex;
+
+#ifdef SPLINE_BLADES
+vec3 tier_tinted(vec3 radiance) { return tinted_tier(radiance, kSplineTint); }
+#define Midrib BladeChain
+vec3 midrib_point(BladeChain chain, float t) { return chain_point(chain, t); }
+vec3 midrib_derivative(BladeChain chain, float t) { return chain_derivative(chain, t); }
+#else
+vec3 tier_tinted(vec3 radiance) { return tinted_tier(radiance, kHermiteTint); }
+#define Midrib BladeCurve
+vec3 midrib_point(BladeCurve curve, float t) {
+  return hermite_point(curve.base_m, curve.tip_m, curve.base_tangent_m, curve.tip_tangent_m, t);
+}
+vec3 midrib_derivative(BladeCurve curve, float t) {
+  return hermite_derivative(curve.base_m, curve.tip_m, curve.base_tangent_m, curve.tip_tangent_m, t);
+}
+#endif
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= blade_count) return;
+  DrawnCell drawn = load_cell(cell_of(index));
+  PlantedCell cell = drawn.planted;
+  uint k = index - drawn.first_blade + drawn.first_index;
+
+  SpeciesParams species = load_species(cell.species);
+  WarpedRoot root = plant_root(cell, k);
+  vec2 local_m = root_in_cell(cell, root);
+  GroundPoint ground = ground_in_cell(cell.ground_table, cell.side_m, local_m);
+  Features features = planting_features(cell, local_m);
+
+  vec3 root_m = drawn.eye_from_tile_m + vec3(cell.offset_m + local_m, ground.height_m);
+  vec3 from_lod_eye_m = root_m - frame.lod_eye_m;
+  float distance_m = sqrt(inner(from_lod_eye_m, from_lod_eye_m));
+  vec3 to_lod_eye = frame.parallel > 0.5f ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-6f);
+  float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
+  vec3 normal = normalized(vec3(-ground.slope, 1.0f));
+  float keep = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m);
+  float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
+  float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
+
+  Blade blade = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k), clump_of(cell, species, local_m), features, ground.height_m);
+  if (drawn.morph > 0.0f) {
+    vec2 slid_m = slid_root(blade.root_m, frame.tile_m, drawn.morph);
+    blade.ground_m += inner(vec3(ground.slope, 0.0f), vec3(slid_m - blade.root_m, 0.0f));
+    blade.root_m = slid_m;
+  }
+  BladeChain chain = chain_of(blade, pose_blade(blade, ground.slope, growth), growth);
+#ifdef SPLINE_BLADES
+  Midrib midrib = blended_chain(chain, hermite_share(frame.lod, distance_m));
+#else
+  Midrib midrib = curve_of(chain);
+#endif
+  float width_m = growth > 0.0f ? widened_m(frame.lod, keep, blade.width_m, pixel_m) : 0.0f;
+
+  float density_per_m2 = root.density + cell.other_density_per_m2;
+  float shade = shade_of(density_per_m2, frame.shade_density_per_m2);
+  vec3 root_color = root_albedo(species, blade.hue, blade.dryness) * features.color;
+  vec3 tip_color = tip_albedo(species, blade.hue, blade.dryness) * features.color;
+  vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
+  float ground_n_dot_v = inner(normal, to_eye);
+
+  // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by, their mean does
+  // by its √n-th part.
+  float own_share = sqrt(area_left(frame.lod, keep));
+  SwardView view = sward_view(normal, to_eye);
+  float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
+  vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
+
+  Haze haze = haze_at(root_m);
+  uint vertex = first_vertex + index * (2u * segments + 1u);
+  for (uint n = 0u; n <= segments; ++n) {
+    float t = float(int(n)) / float(int(segments));
+    vec3 centre_m = midrib_point(midrib, t);
+    vec3 along = midrib_derivative(midrib, t);
+    BladeSurface surface = blade_surface(along, midrib.side, to_eye);
+    vec3 half_width_m = surface.side * (0.5f * width_m * blade_profile(t));
+    vec3 albedo = mixed(root_color, tip_color, t);
+    vec3 left = blade_radiance(frame, albedo, species.transmission, species.specular, t, shade,
+                               inner(surface.left, frame.sun_direction), ground_n_dot_v);
+    vec3 right = blade_radiance(frame, albedo, species.transmission, species.specular, t, shade,
+                                inner(surface.right, frame.sun_direction), ground_n_dot_v);
+    left = hazed(tier_tinted(mixed(mean_radiance, left, own_share)), haze);
+    right = hazed(tier_tinted(mixed(mean_radiance, right, own_share)), haze);
+    centre_m += drawn.eye_from_tile_m;
+    if (n == segments) {
+      vertices[vertex] = uvec4(floatBitsToUint(centre_m), pack_radiance(mixed(left, right, 0.5f)));
+    } else {
+      vertices[vertex] = uvec4(floatBitsToUint(centre_m - half_width_m), pack_radiance(left));
+      vertices[vertex + 1u] = uvec4(floatBitsToUint(centre_m + half_width_m), pack_radiance(right));
+    }
+    vertex += 2u;
+  }
+}

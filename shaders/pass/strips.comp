@@ -1,0 +1,84 @@
+#version 450 core
+// The strips around tiles (G03 §3.4), as seen from the eye: one invocation makes the foot and the top of one column of a
+// strip. Strips of both tiles of an edge coincide, each grown by its own tile's morph.
+//
+// Deviation: a strip has no light of its own. It is painted in the mean colour that the tile's blades would show from here
+// (render/sward_response.h); its texture holds what single blades differ from that by.
+#include "shaders/pass/layouts.glsl"
+#include "shaders/pass/frame_block.glsl"
+layout(local_size_x = kPlantingGroup) in;
+
+vec4 table_texel(uint texel) { return vec4(0.0f); }
+#include "shaders/pass/kernels.glsl"
+#include "shaders/pass/species.glsl"
+#include "shaders/pass/haze.glsl"
+#include "shaders/pass/sward_look.glsl"
+#include "shaders/pass/tint.glsl"
+
+layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
+layout(std430, binding = 4) writeonly buffer StripVertices { uvec4 vertices[]; };  // StripVertex
+layout(location = 0) uniform uint column_count;
+layout(location = 1) uniform uint first_tile;
+layout(location = 2) uniform uint first_column;
+layout(location = 3) uniform uint quads;  // along a side
+
+const int kSides = 4;
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= column_count) return;
+  uint per_side = quads + 1u;
+  uint strip = index / per_side;
+  uint column = index - strip * per_side;
+  int side = int(strip & 3u);
+  int first = int(first_tile + strip / 4u) * kStripTileTexels;
+  vec4 a = uintBitsToFloat(texelFetch(tile_texels, first));
+  uvec4 b = texelFetch(tile_texels, first + 1);
+  vec4 c = uintBitsToFloat(texelFetch(tile_texels, first + 2));
+  vec4 density_per_m2 = uintBitsToFloat(texelFetch(tile_texels, first + 3));
+  int quarter = int(column) * (kStripQuads / int(quads));
+  int point = (side * kStripQuads + quarter) & (kSides * kStripQuads - 1);
+  vec4 heights_m = uintBitsToFloat(texelFetch(tile_texels, first + 4 + point / kStripQuads));
+  float side_m = a.w;
+  float grown = uintBitsToFloat(b.x);
+  uint species_index = b.z;
+  SpeciesParams species = load_species(species_index);
+
+  // Counter-clockwise from the south-west corner.
+  float along = float(quarter) / float(kStripQuads);
+  vec2 place = side == 0 ? vec2(along, 0.0f) : (side == 1 ? vec2(1.0f, along) : (side == 2 ? vec2(1.0f - along, 1.0f) : vec2(0.0f, 1.0f - along)));
+  vec3 foot_m = a.xyz + vec3(place * side_m, heights_m[point & (kStripQuads - 1)]);
+
+  // Densities lie at the middles of cells.
+  vec2 between = clamp(2.0f * place - 0.5f, 0.0f, 1.0f);
+  float own_per_m2 = mix(mix(density_per_m2.x, density_per_m2.y, between.x), mix(density_per_m2.z, density_per_m2.w, between.x), between.y);
+  float all_per_m2 = own_per_m2 + c.w;
+
+  vec4 south_m = uintBitsToFloat(texelFetch(tile_texels, first + 4));
+  vec4 east_m = uintBitsToFloat(texelFetch(tile_texels, first + 5));
+  vec4 west_m = uintBitsToFloat(texelFetch(tile_texels, first + 7));
+  vec3 normal = normalized(vec3(south_m.x - east_m.x, south_m.x - west_m.x, side_m));
+  vec3 to_eye = normalized(-foot_m);
+  SwardView view = sward_view(normal, to_eye);
+  float blade_height = uintBitsToFloat(b.y);
+  float optical_depth = sward_optical_depth(view, all_per_m2 / frame.density_per_leaf_area * blade_height);
+  float shade = shade_of(all_per_m2, frame.shade_density_per_m2);
+  vec3 color = sward_color(1 + int(species_index), view, optical_depth, shade) * c.rgb;
+  uint radiance = pack_radiance(hazed(tinted_tier(color, kStripTint), haze_at(foot_m)));
+
+  // Which of its faces is seen: south, east, north or west.
+  bool is_east_west = (side & 1) == 0;
+  int facing = is_east_west ? (foot_m.y > 0.0f ? 0 : 2) : (foot_m.x > 0.0f ? 3 : 1);
+  float layer = float(int(species_index) * 4 + facing);
+  float shift = unit_from_u32(hash_u32(b.w + uint(side)));
+  float shown = min(own_per_m2 / species.densest_per_m2, 1.0f);
+  uint packed_shown = packUnorm2x16(vec2(shown, 1.0f));
+
+  float height_m = species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
+  vec3 top_m = foot_m + vec3(0.0f, 0.0f, height_m * grown);
+  uint texel = 2u * uint(kStripVertexTexels) * (first_column + index);
+  vertices[texel] = uvec4(floatBitsToUint(foot_m), radiance);
+  vertices[texel + 1u] = uvec4(floatBitsToUint(vec3(along + shift, 1.0f - grown, layer)), packed_shown);
+  vertices[texel + 2u] = uvec4(floatBitsToUint(top_m), radiance);
+  vertices[texel + 3u] = uvec4(floatBitsToUint(vec3(along + shift, 1.0f, layer)), packed_shown);
+}
