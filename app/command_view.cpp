@@ -64,8 +64,8 @@ void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chos
   command->footer(
       "W A S D move, Q and E sink and rise, shift is fast, dragging the mouse turns; F switches between "
       "walking\n"
-      "and flying, T between tiers, M smooth edges; F12 saves prairie-0001.png, …; H hides the text; Esc "
-      "ends.\n"
+      "and flying, T between tiers, G tints them, M smooths edges; - and = lower and raise the quality;\n"
+      "F12 saves prairie-0001.png, …; H hides the text; Esc ends.\n"
       "Examples:\n"
       "  prairie view examples/meadow\n"
       "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080");

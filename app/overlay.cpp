@@ -5,19 +5,53 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <cstdint>
 #include <glm/trigonometric.hpp>
+
+#include "app/frame_keys.h"
 
 namespace prairie {
 namespace {
 
 constexpr const char* kGlslVersion = "#version 450 core";
 constexpr float kMarginPx = 10.0f;
-constexpr float kBackgroundOpacity = 0.35f;
+constexpr float kBackgroundOpacity = 0.6f;  // readable before a white sky
+constexpr float kSliderWidthPx = 150.0f;
 constexpr const char* kKeys =
-    "WASD QE shift: move   drag: turn   F: walk/fly   T: tier   F12: picture   H: hide   Esc";
+    "WASD QE shift: move   drag: turn   F: walk/fly   Esc: end\n"
+    "T: tier   G: tint tiers   - =: quality   M: smooth edges   F12: picture   H: hide";
 
 void line(const std::string& text) {
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
+}
+
+std::string grouped(std::uint64_t number) {
+  return fmt::format("{}", fmt::group_digits(number));
+}
+
+void tier_line(const char* name, std::uint64_t blades, std::uint64_t triangles) {
+  line(fmt::format("{:<8}{:>14}{:>14}", name, grouped(blades), grouped(triangles)));
+}
+
+void statistics_lines(const FrameStatistics& statistics) {
+  line(fmt::format("{:<8}{:>14}{:>14}", "", "blades", "triangles"));
+  tier_line("spline", statistics.spline.blades, statistics.spline.triangles);
+  tier_line("hermite", statistics.hermite.blades, statistics.hermite.triangles);
+  tier_line("strip", statistics.strip.blades, statistics.strip.triangles);
+  tier_line("flat", statistics.flat.blades, statistics.flat.triangles);
+  tier_line("drawn", statistics.blades_drawn, statistics.triangles);
+  std::string gpu;
+  for (const StageTime& stage : statistics.gpu_times)
+    gpu += fmt::format("   {} {:.2f} ms", stage.name, stage.ms);
+  if (!gpu.empty()) line("GPU" + gpu);
+}
+
+void quality_slider(Quality& quality) {
+  int step = static_cast<int>(quality);
+  ImGui::SetNextItemWidth(kSliderWidthPx);
+  ImGui::SliderInt("quality", &step, static_cast<int>(Quality::kLow), static_cast<int>(Quality::kHigh),
+                   quality_name(quality), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+  quality = static_cast<Quality>(step);
 }
 
 }  // namespace
@@ -37,24 +71,31 @@ Overlay::~Overlay() {
   ImGui::DestroyContext();
 }
 
-void Overlay::draw(const OverlayText& text) {
+void Overlay::draw(const OverlayText& text, Quality& quality) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
   ImGui::SetNextWindowPos({kMarginPx, kMarginPx});
   ImGui::SetNextWindowBgAlpha(kBackgroundOpacity);
   ImGui::Begin("prairie", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
-                   ImGuiWindowFlags_NoNav);
-  line(fmt::format("{:6.1f} ms   {} blades   {} triangles   {}", text.frame_ms, text.blades_drawn,
-                   text.triangles, text.tier));
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  line(fmt::format("{:6.1f} ms   plan {:.2f} ms   {} x {}   tier {}{}", text.frame_ms,
+                   text.statistics.plan_ms, text.camera.size_px.x, text.camera.size_px.y, text.tier,
+                   text.tinted ? ", tinted" : ""));
+  statistics_lines(text.statistics);
   line(fmt::format("{}   {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}", text.walks ? "walking" : "flying",
                    text.camera.eye_m.x, text.camera.eye_m.y, text.camera.eye_m.z,
                    glm::degrees(text.camera.yaw_rad), glm::degrees(text.camera.pitch_rad)));
+  quality_slider(quality);
   line(text.notice.empty() ? kKeys : text.notice);
   ImGui::End();
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Overlay::wants_mouse() const {
+  return ImGui::GetIO().WantCaptureMouse;
 }
 
 }  // namespace prairie

@@ -1,10 +1,12 @@
-// The viewer's text over the picture: frame time, blades, position (Dear ImGui).
+// The viewer's text over the picture: times, blades and triangles per tier, position; and a slider for the
+// quality (Dear ImGui).
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "lod/camera.h"
+#include "lod/quality.h"
+#include "render/renderer.h"
 
 struct GLFWwindow;
 
@@ -12,11 +14,11 @@ namespace prairie {
 
 struct OverlayText {
   double frame_ms = 0.0;
-  std::uint64_t blades_drawn = 0;
-  std::uint64_t triangles = 0;
+  FrameStatistics statistics;
   Camera camera;
   bool walks = false;
   std::string tier;
+  bool tinted = false;
   std::string notice;  // such as the name of the last screenshot
 };
 
@@ -28,8 +30,11 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// Draws into the window's framebuffer.
-  void draw(const OverlayText& text);
+  /// Draws into the window's framebuffer; `quality` follows the slider.
+  void draw(const OverlayText& text, Quality& quality);
+
+  /// Whether the mouse is on the overlay, or was when its button went down.
+  bool wants_mouse() const;
 };
 
 }  // namespace prairie

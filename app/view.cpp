@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <string>
 
 #include "app/fly_camera.h"
+#include "app/frame_keys.h"
 #include "app/frame_times.h"
 #include "app/installed_files.h"
 #include "app/messages.h"
@@ -17,6 +20,7 @@
 #include "app/screenshot_name.h"
 #include "app/window.h"
 #include "maps/error.h"
+#include "render/graphics_reset.h"
 #include "render/renderer.h"
 
 namespace prairie {
@@ -25,80 +29,98 @@ namespace {
 constexpr int kScreenshotSamples = 4;
 constexpr double kLongestStepS = 0.25;  // a slow frame must not throw the camera across the meadow
 
-Tier next_tier(Tier tier) {
-  switch (tier) {
-    case Tier::kAuto:
-      return Tier::kSpline;
-    case Tier::kSpline:
-      return Tier::kHermite;
-    case Tier::kHermite:
-      return Tier::kStrip;
-    case Tier::kStrip:
-      return Tier::kFlat;
-    case Tier::kFlat:
-      break;
-  }
-  return Tier::kAuto;
-}
+/// What goes with the OpenGL context.
+struct Stage {
+  Stage(const World& world, glm::ivec2 size_px)
+      : window(size_px), renderer(world, shader_folder()), overlay(window.handle()) {}
+
+  Window window;
+  Renderer renderer;
+  Overlay overlay;
+};
 
 class Viewer {
  public:
   Viewer(const World& world, const Camera& start, const ViewerOptions& options)
-      : world_(world),
-        options_(options),
-        window_(start.size_px),
-        renderer_(world, shader_folder()),
-        overlay_(window_.handle()),
-        fly_camera_(start, world.meadow().ground) {
+      : world_(world), options_(options), fly_camera_(start, world.meadow().ground) {
     frame_options_.tier = options.tier;
     frame_options_.msaa = options.msaa;
+    frame_options_.quality = world.scene().lod.quality;
     frame_options_.memory_budget_bytes = options.memory_budget_bytes;
-    window_.on_key = [this](int key) { press(key); };
+    raise_stage(start.size_px);
   }
 
   void run() {
     auto last = std::chrono::steady_clock::now();
-    for (int frame = 1; window_.poll(); ++frame) {
+    int frames = 0;
+    while (frames != options_.frames && stage_->window.poll()) {
       const auto now = std::chrono::steady_clock::now();
       const std::chrono::duration<double> passed = now - last;
       last = now;
-      if (frame > 1) frame_times_.add(passed.count() * 1000.0);
-      fly_camera_.resize(window_.framebuffer_size_px());
-      fly_camera_.move(window_.steering(), std::min(passed.count(), kLongestStepS), world_.meadow().ground);
-      draw();
-      if (frame == options_.frames) break;
+      if (!stage_->window.can_be_seen()) continue;
+      if (frames > 0) frame_times_.add(passed.count() * 1000.0);
+      const bool mouse_is_taken = overlay_shown_ && stage_->overlay.wants_mouse();
+      fly_camera_.resize(stage_->window.framebuffer_size_px());
+      fly_camera_.move(stage_->window.steering(mouse_is_taken), std::min(passed.count(), kLongestStepS),
+                       world_.meadow().ground);
+      try {
+        draw();
+        if (screenshot_wanted_) take_screenshot();
+        drawn_on_this_stage_ = true;
+        ++frames;
+      } catch (const LostContext& lost) {
+        // A picture that resets the device every time must not be tried for ever.
+        if (!drawn_on_this_stage_) throw;
+        rebuild(lost);
+      }
     }
     if (options_.screenshot) save_picture(*options_.screenshot);
   }
 
  private:
+  void raise_stage(glm::ivec2 size_px) {
+    stage_.emplace(world_, size_px);
+    stage_->window.on_key = [this](int key) { press(key); };
+    drawn_on_this_stage_ = false;
+  }
+
+  void rebuild(const LostContext& lost) {
+    const glm::ivec2 size_px = stage_->window.size_px();
+    await_end_of_reset();
+    stage_.reset();
+    raise_stage(size_px);
+    notice_ = "drawing goes on after " + lost.found;
+    say_warning(notice_);
+  }
+
   void draw() {
-    const FrameStatistics statistics = renderer_.draw(fly_camera_.camera(), frame_options_, 0);
+    const FrameStatistics statistics = stage_->renderer.draw(fly_camera_.camera(), frame_options_, 0);
     if (overlay_shown_) {
       OverlayText text;
       text.frame_ms = frame_times_.median_ms();
-      text.blades_drawn = statistics.blades_drawn;
-      text.triangles = statistics.triangles;
+      text.statistics = statistics;
       text.camera = fly_camera_.camera();
       text.walks = fly_camera_.walks();
       text.tier = tier_name(frame_options_.tier);
+      text.tinted = frame_options_.tier_tint;
       text.notice = notice_;
-      overlay_.draw(text);
+      stage_->overlay.draw(text, frame_options_.quality.value());
     }
-    window_.show_frame();
+    stage_->window.show_frame();
   }
 
   void press(int key) {
     notice_.clear();
-    if (key == GLFW_KEY_ESCAPE) window_.close();
+    apply_frame_key(key, frame_options_);
+    if (key == GLFW_KEY_ESCAPE) stage_->window.close();
     if (key == GLFW_KEY_F) fly_camera_.toggle_walking(world_.meadow().ground);
-    if (key == GLFW_KEY_T) frame_options_.tier = next_tier(frame_options_.tier);
-    if (key == GLFW_KEY_M) frame_options_.msaa = !frame_options_.msaa;
     if (key == GLFW_KEY_H) overlay_shown_ = !overlay_shown_;
-    if (key == GLFW_KEY_F12) take_screenshot();
+    // Later: what goes wrong with it must not be thrown through GLFW, which calls this.
+    if (key == GLFW_KEY_F12) screenshot_wanted_ = true;
   }
 
   void take_screenshot() {
+    screenshot_wanted_ = false;
     // A full disk must not end the walk.
     try {
       const std::filesystem::path name = free_screenshot_name(std::filesystem::current_path());
@@ -111,19 +133,19 @@ class Viewer {
   }
 
   void save_picture(const std::filesystem::path& name) {
-    const Picture picture = renderer_.render(fly_camera_.camera(), frame_options_, kScreenshotSamples);
+    const Picture picture = stage_->renderer.render(fly_camera_.camera(), frame_options_, kScreenshotSamples);
     write_output(name, encoded_picture(picture, PictureFormat::kPng));
   }
 
   const World& world_;
   const ViewerOptions& options_;
-  Window window_;
-  Renderer renderer_;
-  Overlay overlay_;
   FlyCamera fly_camera_;
   FrameOptions frame_options_;
   FrameTimes frame_times_;
+  std::optional<Stage> stage_;
+  bool drawn_on_this_stage_ = false;
   bool overlay_shown_ = true;
+  bool screenshot_wanted_ = false;
   std::string notice_;
 };
 

@@ -16,11 +16,12 @@ struct ViewerOptions {
   Tier tier = Tier::kAuto;
   bool msaa = false;
   std::uint64_t memory_budget_bytes = 0;            // for what a frame plans
-  std::optional<int> frames;                        // closes itself after so many
+  std::optional<int> frames;                        // closes itself after so many, of those that are seen
   std::optional<std::filesystem::path> screenshot;  // of the last of those frames
 };
 
-/// Shows the world until the window is closed. Throws NoSuitableOpenGl, OverBudget.
+/// Shows the world until the window is closed. After a reset of the graphics device it goes on in a new
+/// window. Throws NoSuitableOpenGl, OverBudget; LostContext if the first frame in a new window is lost, too.
 void view_world(const World& world, const Camera& start, const ViewerOptions& options);
 
 }  // namespace prairie

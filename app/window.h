@@ -12,25 +12,32 @@ namespace prairie {
 
 class Window {
  public:
-  /// Throws NoSuitableOpenGl, also where there is no display.
+  /// Throws NoSuitableOpenGl, also where there is no display. Where the driver offers it, a lost context is
+  /// told (render/graphics_reset.h).
   explicit Window(glm::ivec2 size_px);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
   GLFWwindow* handle() const { return handle_; }
+  glm::ivec2 size_px() const;  // in the window system's pixels, as the constructor takes them
   glm::ivec2 framebuffer_size_px() const;
 
   /// Called once per key press with GLFW's key code.
   std::function<void(int key)> on_key;
 
-  /// Handles what has happened since the last call; returns whether the window is still open.
+  /// False while it is minimised or hidden, or has no pixels: then there is nothing to draw into.
+  bool can_be_seen() const;
+
+  /// Handles what has happened since the last call; returns whether the window is still open. While the
+  /// window cannot be seen, it first waits for something to happen, at most half a second.
   bool poll();
   void close();
   void show_frame();
 
-  /// What the held keys and the dragged mouse ask for since the last call.
-  Steering steering();
+  /// What the held keys and the dragged mouse ask for since the last call. Where `mouse_is_taken`, by what
+  /// lies over the picture, no new drag begins.
+  Steering steering(bool mouse_is_taken);
 
  private:
   struct Library {

@@ -1,10 +1,12 @@
 // The commands that draw: pictures of the right size and kind, tile screenshots with a true manifest, the
 // viewer in a window that nobody looks at, and drivers that cannot do it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
+#include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -50,6 +52,41 @@ TEST_F(Pictures, RenderWritesPngAndExr) {
     EXPECT_EQ(input->spec().height, 64);
     EXPECT_EQ(input->spec().nchannels, 3);
     EXPECT_EQ(input->spec().format.basetype, name == "a.png" ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+  }
+}
+
+TEST_F(Pictures, RenderTakesTheSmallestAndTheWidest) {
+  for (const glm::ivec2 size_px : {glm::ivec2(1, 1), glm::ivec2(16384, 64), glm::ivec2(3, 16384)}) {
+    const std::string size = fmt::format("{}x{}", size_px.x, size_px.y);
+    const Outcome outcome = testing::prairie({"render", scene_, "-o", path("a.png"), "--size", size});
+    ASSERT_EQ(outcome.exit_code, 0) << size << ": " << outcome.err;
+    const auto input = OIIO::ImageInput::open(path("a.png"));
+    ASSERT_TRUE(input) << size;
+    EXPECT_EQ(input->spec().width, size_px.x);
+    EXPECT_EQ(input->spec().height, size_px.y);
+  }
+}
+
+TEST_F(Pictures, ALostContextLeavesNoPicture) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"render", scene_, "-o", path("a.png"), "--size", "64x48"},
+        std::vector<std::string>{"export", scene_, "-o", path("tiles"), "--size", "64x48"}}) {
+    testing::write_text(path("a.png"), "before");
+    Call call;
+    call.program = PRAIRIE_PROGRAM_WITH_RESETS;
+    call.arguments = arguments;
+    call.environment = {{"PRAIRIE_TEST_RESETS", "1-1"}};
+    const Outcome outcome = testing::run(call);
+    SCOPED_TRACE(outcome.err);
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
+    EXPECT_NE(outcome.err.find("a reset of the graphics device"), std::string::npos);
+    EXPECT_NE(outcome.err.find("try "), std::string::npos);
+    EXPECT_EQ(fs::file_size(path("a.png")), 6u);
+    EXPECT_FALSE(fs::exists(path("tiles/manifest.json")));
+    // The same program, when nothing happens.
+    call.environment = {};
+    EXPECT_EQ(testing::run(call).exit_code, 0);
   }
 }
 
@@ -137,10 +174,11 @@ TEST_F(Pictures, ViewNeedsADisplay) {
 /// The program with these arguments in a window that nobody looks at; its own exit code, since xvfb-run's
 /// tells as well whether it could clean up behind two X servers that end at once.
 Outcome in_hidden_window(const std::vector<std::string>& arguments,
-                         const std::map<std::string, std::string>& environment, const fs::path& code_file) {
+                         const std::map<std::string, std::string>& environment, const fs::path& code_file,
+                         const std::string& program = PRAIRIE_PROGRAM) {
   Call call;
   call.program = "xvfb-run";
-  call.arguments = {"-a", "sh", "-c", "\"$@\"; echo $? >\"$0\"", code_file.string(), PRAIRIE_PROGRAM};
+  call.arguments = {"-a", "sh", "-c", "\"$@\"; echo $? >\"$0\"", code_file.string(), program};
   call.arguments.insert(call.arguments.end(), arguments.begin(), arguments.end());
   call.environment = environment;
   Outcome outcome = testing::run(call);
@@ -159,6 +197,48 @@ TEST_F(Pictures, ViewShowsAWindow) {
   ASSERT_TRUE(input);
   EXPECT_EQ(input->spec().width, 200);
   EXPECT_EQ(input->spec().height, 150);
+}
+
+TEST_F(Pictures, ViewTakesTheSmallestAndTheWidestWindow) {
+  for (const std::string size : {"1x1", "16384x64"}) {
+    const Outcome outcome =
+        in_hidden_window({"view", scene_, "--size", size, "--frames", "3"}, {}, folder_ / "exit_code");
+    if (outcome.exit_code == 127) GTEST_SKIP() << "xvfb-run is not installed";
+    EXPECT_EQ(outcome.exit_code, 0) << size << ": " << outcome.err;
+  }
+}
+
+TEST_F(Pictures, ViewGoesOnAfterAReset) {
+  const auto view = [&](const std::string& resets, const std::string& picture) {
+    return in_hidden_window({"view", scene_, "--camera", "8,2,+3,20,-10", "--tier", "hermite", "--size",
+                             "200x150", "--frames", "3", "--screenshot", path(picture)},
+                            {{"PRAIRIE_TEST_RESETS", resets}}, folder_ / "exit_code",
+                            PRAIRIE_PROGRAM_WITH_RESETS);
+  };
+  // The second frame is lost, and so is the answer to the viewer's first question whether the reset is over.
+  const Outcome reset = view("2-3", "after.png");
+  if (reset.exit_code == 127) GTEST_SKIP() << "xvfb-run is not installed";
+  EXPECT_EQ(reset.exit_code, 0) << reset.err;
+  EXPECT_NE(reset.err.find("warning: drawing goes on after a reset of the graphics device"),
+            std::string::npos)
+      << reset.err;
+  const Outcome undisturbed = view("0-0", "before.png");
+  EXPECT_EQ(undisturbed.exit_code, 0) << undisturbed.err;
+  EXPECT_EQ(undisturbed.err, "");
+  EXPECT_EQ(testing::read_bytes(path("after.png")), testing::read_bytes(path("before.png")))
+      << "the camera or the tier has changed";
+}
+
+TEST_F(Pictures, ViewEndsWhereEveryFrameIsLost) {
+  for (const std::string resets : {"1-1000000", "3-1000000"}) {
+    const Outcome outcome = in_hidden_window({"view", scene_, "--size", "64x48", "--frames", "9"},
+                                             {{"PRAIRIE_TEST_RESETS", resets}}, folder_ / "exit_code",
+                                             PRAIRIE_PROGRAM_WITH_RESETS);
+    if (outcome.exit_code == 127) GTEST_SKIP() << "xvfb-run is not installed";
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("prairie: OpenGL: found a reset of the graphics device"), std::string::npos)
+        << outcome.err;
+  }
 }
 
 TEST_F(Pictures, ViewUnderAnOldDriverEndsWithFour) {

@@ -1,0 +1,16 @@
+// The viewer's keys that change how frames are drawn: tier, tint, quality, smooth edges.
+#pragma once
+
+#include "lod/quality.h"
+#include "render/renderer.h"
+
+namespace prairie {
+
+/// "low", "medium" or "high".
+const char* quality_name(Quality quality);
+
+/// What pressing `key` (GLFW's code) changes: T the tier, G the tint, M smooth edges, - and = the quality,
+/// which must be set. Other keys change nothing.
+void apply_frame_key(int key, FrameOptions& options);
+
+}  // namespace prairie

@@ -1,0 +1,66 @@
+#include "tests/app/window_from_outside.h"
+
+#include <X11/Xlib.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+namespace prairie::testing {
+
+WindowFromOutside::WindowFromOutside() : display_(XOpenDisplay(nullptr)) {
+  for (int attempt = 0; display_ != nullptr && attempt < 1000 && window_ == 0; ++attempt) {
+    find();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+WindowFromOutside::~WindowFromOutside() {
+  if (display_ != nullptr) XCloseDisplay(display_);
+}
+
+void WindowFromOutside::hide() {
+  XUnmapWindow(display_, window_);
+  XSync(display_, False);
+}
+
+void WindowFromOutside::show() {
+  XMapWindow(display_, window_);
+  XSync(display_, False);
+}
+
+void WindowFromOutside::resize(unsigned width_px, unsigned height_px) {
+  XResizeWindow(display_, window_, width_px, height_px);
+  XSync(display_, False);
+}
+
+void WindowFromOutside::close() {
+  XEvent event{};
+  event.xclient.type = ClientMessage;
+  event.xclient.window = window_;
+  event.xclient.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
+  event.xclient.format = 32;
+  event.xclient.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
+  XSendEvent(display_, window_, False, NoEventMask, &event);
+  XSync(display_, False);
+}
+
+void WindowFromOutside::find() {
+  Window root = 0;
+  Window parent = 0;
+  Window* children = nullptr;
+  unsigned count = 0;
+  XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count);
+  for (unsigned n = 0; n < count; ++n) {
+    char* name = nullptr;
+    XWindowAttributes attributes{};
+    if (XFetchName(display_, children[n], &name) != 0 && std::string(name) == "prairie" &&
+        XGetWindowAttributes(display_, children[n], &attributes) != 0 && attributes.map_state == IsViewable) {
+      window_ = children[n];
+    }
+    if (name != nullptr) XFree(name);
+  }
+  if (children != nullptr) XFree(children);
+}
+
+}  // namespace prairie::testing

@@ -1,0 +1,31 @@
+// The viewer's window as another client of the X server sees it, such as a window manager.
+#pragma once
+
+struct _XDisplay;  // Xlib's own name; its header defines macros such as None
+
+namespace prairie::testing {
+
+class WindowFromOutside {
+ public:
+  /// Waits until the window is there, at most ten seconds.
+  WindowFromOutside();
+  ~WindowFromOutside();
+  WindowFromOutside(const WindowFromOutside&) = delete;
+  WindowFromOutside& operator=(const WindowFromOutside&) = delete;
+
+  bool is_there() const { return window_ != 0; }
+  // Each returns when the X server has done it.
+  void hide();
+  void show();
+  void resize(unsigned width_px, unsigned height_px);
+  /// Asks the program to close it, as the cross in a window's frame does.
+  void close();
+
+ private:
+  void find();
+
+  _XDisplay* display_;
+  unsigned long window_ = 0;
+};
+
+}  // namespace prairie::testing
