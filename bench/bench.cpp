@@ -1,38 +1,73 @@
 #include "bench/bench.h"
 
-#include <array>
+#include <algorithm>
 #include <string_view>
 
 #include "bench/benches.h"
+#include "bench/scale_child.h"
 
 namespace prairie {
 namespace {
 
 struct Bench {
-  std::string_view name;
-  double (*measure)(const BenchOptions&);
+  std::vector<Measurement> (*measure)(const BenchOptions&);
+  std::vector<std::string_view> names;  // of its measurements
+  bool takes_minutes = false;           // run only where a prefix asks for it
 };
 
-constexpr std::array kBenches{
-    Bench{"planting.cpu_blades_per_s_core", planting_cpu_blades_per_s_core},
-    Bench{"planting.gpu_ns_per_blade", planting_gpu_ns_per_blade},
-};
+const std::vector<Bench>& benches() {
+  static const std::vector<Bench> all = {
+      {bench_planting_cpu, {"planting.cpu_blades_per_s_core"}},
+      {bench_planting_gpu, {"planting.gpu_ns_per_blade"}},
+      {bench_scale, {"scale.ground",           "scale.frame_ms_median",
+                     "scale.frame_ms_p95",     "scale.probe_ms",
+                     "scale.frame_per_probe",  "scale.plan_ms",
+                     "scale.blades_in_scene",  "scale.blades_planted_in_view",
+                     "scale.blades_drawn",     "scale.blades_in_strips",
+                     "scale.share_spline",     "scale.share_hermite",
+                     "scale.share_strip",      "scale.share_flat",
+                     "scale.share_floor",      "scale.limit_ratio",
+                     "scale.density_100_ms",   "scale.density_10000_ms",
+                     "scale.density_ratio",    "scale.repeat10_ratio",
+                     "scale.startup_s",        "scale.peak_rss_mb",
+                     "scale.repeat10_extra_mb"}},
+      {bench_tier_pictures,
+       {"picture.spline_color_error", "picture.spline_cover_error", "picture.spline_texture_error",
+        "picture.hermite_color_error", "picture.hermite_cover_error", "picture.hermite_texture_error",
+        "picture.strip_color_error", "picture.strip_cover_error", "picture.strip_texture_error",
+        "picture.flat_color_error", "picture.flat_cover_error", "picture.flat_texture_error"},
+       true},
+      {bench_scale_picture,
+       {"picture.scale_color_error", "picture.scale_cover_error", "picture.scale_flip"},
+       true},
+  };
+  return all;
+}
 
 }  // namespace
 
 std::vector<std::string> bench_names() {
   std::vector<std::string> names;
-  for (const Bench& bench : kBenches) names.emplace_back(bench.name);
+  for (const Bench& bench : benches()) names.insert(names.end(), bench.names.begin(), bench.names.end());
   return names;
 }
 
 std::vector<Measurement> run_benches(const std::string& prefix, const BenchOptions& options) {
+  const auto is_chosen = [&](std::string_view name) { return name.starts_with(prefix); };
   std::vector<Measurement> measurements;
-  for (const Bench& bench : kBenches) {
-    if (!bench.name.starts_with(prefix)) continue;
-    measurements.push_back({std::string(bench.name), bench.measure(options)});
+  for (const Bench& bench : benches()) {
+    if (prefix.empty() && bench.takes_minutes) continue;
+    if (std::ranges::none_of(bench.names, is_chosen)) continue;
+    for (Measurement& measurement : bench.measure(options)) {
+      if (is_chosen(measurement.name)) measurements.push_back(std::move(measurement));
+    }
   }
   return measurements;
+}
+
+std::vector<Measurement> run_bench_child(const std::string& task, const std::filesystem::path& folder,
+                                         const BenchOptions& options) {
+  return run_scale_child(task, folder, options);
 }
 
 }  // namespace prairie

@@ -1,14 +1,27 @@
-// One function per measurement; bench.cpp lists them by name.
+// One function per bench; bench.cpp lists them with the names of their measurements.
 #pragma once
+
+#include <filesystem>
 
 #include "bench/bench.h"
 
 namespace prairie {
 
 /// Blades per second that one core plants on a meadow whose density varies from node to node.
-double planting_cpu_blades_per_s_core(const BenchOptions& options);
+std::vector<Measurement> bench_planting_cpu(const BenchOptions& options);
 
-/// Nanoseconds that a blade takes to be planted and stored by the compute shader, median of full storage buffers.
-double planting_gpu_ns_per_blade(const BenchOptions& options);
+/// Nanoseconds that a blade takes to be planted and stored by the compute shader, median of full storage
+/// buffers.
+std::vector<Measurement> bench_planting_gpu(const BenchOptions& options);
+
+/// A walk over a square kilometre of a billion blades (bench/scale_scene.h): how long frames, start and
+/// memory are, what stands in which tier, and what more or denser grass costs.
+std::vector<Measurement> bench_scale(const BenchOptions& options);
+
+/// Each tier, at the distance at which it gives way to the next, against the all-3D picture.
+std::vector<Measurement> bench_tier_pictures(const BenchOptions& options);
+
+/// A frame of that walk against the same picture of 3D blades alone.
+std::vector<Measurement> bench_scale_picture(const BenchOptions& options);
 
 }  // namespace prairie

@@ -23,12 +23,12 @@ double blades_per_s(const Meadow& meadow) {
 
 }  // namespace
 
-double planting_cpu_blades_per_s_core(const BenchOptions&) {
+std::vector<Measurement> bench_planting_cpu(const BenchOptions&) {
   const Meadow meadow = varied_meadow();
   std::vector<double> rounds;
   for (int round = 0; round < kRounds; ++round) rounds.push_back(blades_per_s(meadow));
   std::nth_element(rounds.begin(), rounds.begin() + kRounds / 2, rounds.end());
-  return rounds[kRounds / 2];
+  return {{"planting.cpu_blades_per_s_core", rounds[kRounds / 2]}};
 }
 
 }  // namespace prairie

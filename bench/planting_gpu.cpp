@@ -35,7 +35,7 @@ CellTables cells_within_limit(const Meadow& meadow) {
 
 }  // namespace
 
-double planting_gpu_ns_per_blade(const BenchOptions& options) {
+std::vector<Measurement> bench_planting_gpu(const BenchOptions& options) {
   const HeadlessContext context(options.device);
   const Meadow meadow = varied_meadow();
   GpuPlanting planting(options.shader_folder);
@@ -50,7 +50,7 @@ double planting_gpu_ns_per_blade(const BenchOptions& options) {
     rounds.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() / blades);
   }
   std::nth_element(rounds.begin(), rounds.begin() + kRounds / 2, rounds.end());
-  return rounds[kRounds / 2];
+  return {{"planting.gpu_ns_per_blade", rounds[kRounds / 2]}};
 }
 
 }  // namespace prairie

@@ -1,0 +1,27 @@
+// The scene of the bench `scale`: a square kilometre of two grasses, 1000 blades per m² in all, and a walk
+// through it at eye height.
+#pragma once
+
+#include "bench/scale_ground.h"
+#include "lod/camera.h"
+#include "world/world.h"
+
+namespace prairie {
+
+struct ScaleVariant {
+  double density_factor = 1.0;  // of both grasses
+  bool repeats = false;         // the ground goes on without end
+};
+
+/// Throws what World throws.
+World scale_world(const ScaleGround& ground, const ScaleVariant& variant);
+
+/// Blades that planting gives on average, on one period of the ground.
+double expected_blades(const World& world);
+
+inline constexpr int kWalkFrames = 120;
+
+/// What the walker sees in the n-th frame; n may be negative.
+Camera walk_camera(const World& world, const ScaleGround& ground, int frame);
+
+}  // namespace prairie

@@ -1,0 +1,59 @@
+#include "bench/scale_shares.h"
+
+#include <array>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace prairie {
+namespace {
+
+// As in shaders/pass/tint.glsl; only the hues matter.
+const std::array<glm::vec3, 3> kBladeTints{{{1.0f, 0.25f, 0.2f}, {1.0f, 0.85f, 0.2f}, {0.25f, 1.0f, 0.3f}}};
+// The share of a pixel's own colour that tinting keeps.
+constexpr float kKept = 0.25f;
+
+glm::vec3 color_at(const Picture& picture, std::size_t pixel) {
+  return {picture.linear_rgb[3 * pixel], picture.linear_rgb[3 * pixel + 1],
+          picture.linear_rgb[3 * pixel + 2]};
+}
+
+std::size_t nearest_tint(const glm::vec3& hue) {
+  std::size_t nearest = 0;
+  for (std::size_t n = 1; n < kBladeTints.size(); ++n) {
+    if (glm::dot(hue, glm::normalize(kBladeTints[n])) > glm::dot(hue, glm::normalize(kBladeTints[nearest])))
+      nearest = n;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+TierShares tier_shares(Renderer& renderer, const Camera& camera) {
+  const Picture plain = renderer.render(camera, {}, 1);
+  const Picture tinted = renderer.render(camera, {.tier_tint = true}, 1);
+  const Picture flat = renderer.render(camera, {.tier = Tier::kFlat}, 1);  // tells bare floor from sky
+  std::array<double, 3> blades{};
+  TierShares shares;
+  double ground = 0.0;
+  for (std::size_t pixel = 0; pixel < plain.cover.size(); ++pixel) {
+    const float cover = plain.cover[pixel];
+    if (cover == 0.0f && flat.cover[pixel] == 0.0f) continue;
+    ground += 1.0;
+    if (cover == 1.0f) {
+      // Blades and strips; what tinting added has the tint's hue.
+      blades[nearest_tint(color_at(tinted, pixel) - kKept * color_at(plain, pixel))] += 1.0;
+    } else {
+      shares.flat += static_cast<double>(cover);
+      shares.floor += 1.0 - static_cast<double>(cover);
+    }
+  }
+  shares.spline = blades[0] / ground;
+  shares.hermite = blades[1] / ground;
+  shares.strip = blades[2] / ground;
+  shares.flat /= ground;
+  shares.floor /= ground;
+  return shares;
+}
+
+}  // namespace prairie
