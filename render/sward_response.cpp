@@ -180,20 +180,17 @@ void face(const SwardElements& elements, std::size_t first, std::size_t count, g
   const float* sy = elements.side_y.data() + first;
   const float* sz = elements.side_z.data() + first;
   const float* reach = elements.reach_m.data() + first;
-  const float* folded = elements.folded.data() + first;
   for (std::size_t n = 0; n < count; ++n) {
     const glm::vec3 along(ax[n], ay[n], az[n]);
     const glm::vec3 side(sx[n], sy[n], sz[n]);
     const auto surface = kernels.blade_surface(along, side, to_eye);
-    const glm::vec3 middle = kernels.normalized(surface.left + surface.right);
-    const bool fold = folded[n] > 0.0f;
     out.area[n] = reach[n] * glm::abs(kernels.inner(kernels.outer(surface.side, along), to_eye));
-    out.left_x[n] = fold ? surface.left.x : middle.x;
-    out.left_y[n] = fold ? surface.left.y : middle.y;
-    out.left_z[n] = fold ? surface.left.z : middle.z;
-    out.right_x[n] = fold ? surface.right.x : middle.x;
-    out.right_y[n] = fold ? surface.right.y : middle.y;
-    out.right_z[n] = fold ? surface.right.z : middle.z;
+    out.left_x[n] = surface.left.x;
+    out.left_y[n] = surface.left.y;
+    out.left_z[n] = surface.left.z;
+    out.right_x[n] = surface.right.x;
+    out.right_y[n] = surface.right.y;
+    out.right_z[n] = surface.right.z;
   }
 }
 

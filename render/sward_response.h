@@ -5,7 +5,7 @@
 // Neither paper says how to find that colour. Here the sward is a Poisson canopy (Nilson 1971): leaf area
 // thrown at random at every height, so that of what stands at height z one sees e^(−τ(z)), with τ the leaf
 // area above z, projected along the view, per ground area seen. What stands at each height and how it is lit
-// comes from sample blades (render/sward_sample.h), turned, widened and lit as shaders/pass/blade.vert does.
+// comes from sample blades (render/sward_sample.h), turned, widened and lit as shaders/pass/grow.comp does.
 //
 //   leaf_area = Σ density · Layer::blade_area_m2                        m² of leaf per m² of ground
 //   τ         = leaf_area · G(θ) / sin θ          θ: the view's elevation above the ground's plane
@@ -15,6 +15,11 @@
 // Colours are radiance on level ground, without haze. The sward is alike in all directions, so that only the
 // angle φ between the horizontal directions towards the eye and towards the sun counts: 0 with the sun in the
 // viewer's back, π looking towards it.
+//
+// Tufts need no correction: against planted blades, 100 to 2500 per m², seen ray by ray from 1° to 90°,
+// colour is off by 3.5 % at most and 1 % on average, cover by 0.012 (tests/render/sward_response_test.cpp).
+// Blades have 7 segments there. Those of 3 are lighter by up to 11 % in a dense sward, since light is linear
+// between vertices, and cover 0.03 less; those of 1, 35 % and 0.25.
 #pragma once
 
 #include <glm/vec3.hpp>

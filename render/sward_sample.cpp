@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "generator/plant.h"
-#include "shaders/kernels/kernels.h"
 
 namespace prairie {
 namespace {
@@ -45,7 +44,7 @@ std::vector<SampleBlade> posed_blades(const SpeciesParams& species) {
   for (Blade blade : sown_blades(species)) {
     blade.root_m = glm::vec2(0.0f);
     blade.ground_m = 0.0f;
-    SampleBlade sample{blade, Kernels{}.pose_blade(blade, glm::vec2(0.0f), 1.0f), 0.0f};
+    SampleBlade sample{blade, resting_curve(blade), 0.0f};
     for (const float t : {0.4f, 0.6f, 0.8f, 1.0f})
       sample.top_m = std::max(sample.top_m, point_at(sample.curve, t).z);
     posed.push_back(sample);
@@ -66,23 +65,9 @@ glm::vec3 turned(glm::vec3 v, float cosine, float sine) {
 
 // A piece of a sample blade.
 struct Element {
-  float height_m, area_m2, reach_m, place, folded;
+  float height_m, area_m2, reach_m, place;
   glm::vec3 along, side, root_albedo, tip_albedo;
 };
-
-// Of the last segment, which light reaches partly by the vertices before it and partly by the tip.
-void add_last(Element element, float towards_tip, std::vector<Element>& out) {
-  const auto add = [&](float share, float place, float folded) {
-    Element part = element;
-    part.area_m2 *= share;
-    part.reach_m *= share;
-    part.place = place;
-    part.folded = folded;
-    out.push_back(part);
-  };
-  add(1.0f - towards_tip, 1.0f - 1.0f / kSwardSegments, 1.0f);
-  add(towards_tip, 1.0f, 0.0f);
-}
 
 // `weight`: how many of kSamples blades it stands for. Where sample k is cut and where it points to follow
 // two irrational steps, so that both are spread well over every run of blades of about one height.
@@ -111,24 +96,23 @@ void cut(const SpeciesParams& species, const SampleBlade& sample, int k, double 
     element.reach_m = share * sample.blade.width_m * kernels.blade_profile(t);
     element.area_m2 = element.reach_m * std::sqrt(kernels.inner(along, along));
     element.place = t;
-    element.folded = 1.0f;
     element.root_albedo = root;
     element.tip_albedo = tip;
-    const float towards_tip = t * kSwardSegments - (kSwardSegments - 1);
-    if (towards_tip > 0.0f) {
-      add_last(element, towards_tip, out);
-    } else {
-      out.push_back(element);
-    }
+    out.push_back(element);
   }
 }
 
 }  // namespace
 
+Kernels::BladeCurve resting_curve(const Blade& blade) {
+  Kernels kernels;
+  return kernels.curve_of(kernels.chain_of(blade, kernels.pose_blade(blade, glm::vec2(0.0f), 1.0f), 1.0f));
+}
+
 SwardElements sward_elements(const SpeciesParams& species) {
   const std::vector<SampleBlade> blades = posed_blades(species);
   std::vector<Element> cuts;
-  cuts.reserve(static_cast<std::size_t>(kSamples) * (kPartsOfABlade + 2));
+  cuts.reserve(static_cast<std::size_t>(kSamples) * kPartsOfABlade);
   for (int k = 0; k < kSamples; ++k) {
     // Ranks with a density of 1/(rank + kTallShare), from 0 (tallest) to 1.
     const double growth = std::log(1.0 + 1.0 / kTallShare);
@@ -152,7 +136,6 @@ SwardElements sward_elements(const SpeciesParams& species) {
     elements.side_y.push_back(cut.side.y);
     elements.side_z.push_back(cut.side.z);
     elements.place.push_back(cut.place);
-    elements.folded.push_back(cut.folded);
     elements.root_albedo.push_back(cut.root_albedo);
     elements.tip_albedo.push_back(cut.tip_albedo);
   }

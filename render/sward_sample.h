@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "shaders/shared/layouts.h"
+#include "shaders/kernels/kernels.h"
 
 namespace prairie {
 
@@ -21,13 +21,15 @@ struct SwardElements {
   std::vector<float> height_m;
   std::vector<float> area_m2;  // one side of it, per blade of the species: sums to a blade's mean area
   std::vector<float> reach_m;  // area_m2 / |along|
-  std::vector<float> along_x, along_y, along_z;  // derivative of the midrib
-  std::vector<float> side_x, side_y, side_z;     // across the blade at rest
-  std::vector<float> place;                      // along the blade: 0 foot, 1 tip
-  std::vector<float> folded;  // 1: its two halves are lit by themselves; 0: as one, which the tip is
+  std::vector<float> along_x, along_y, along_z;    // derivative of the midrib
+  std::vector<float> side_x, side_y, side_z;       // across the blade at rest
+  std::vector<float> place;                        // along the blade: 0 foot, 1 tip
   std::vector<glm::vec3> root_albedo, tip_albedo;  // of the blade that it is a piece of
   std::size_t size() const { return height_m.size(); }
 };
+
+/// The midrib of a blade at rest on level ground, as shaders/pass/grow.comp poses it.
+Kernels::BladeCurve resting_curve(const Blade& blade);
 
 SwardElements sward_elements(const SpeciesParams& species);
 
