@@ -26,7 +26,9 @@ TEST_F(GpuTimerTest, TellsTheTimeOfAFrameLater) {
     work(target);
     timer.end();
     timer.finish_frame();
-    if (frame == 0) EXPECT_EQ(timer.last_ms(), 0.0) << "read in the frame in which it was made";
+    if (frame == 0) {
+      EXPECT_EQ(timer.last_ms(), 0.0) << "read in the frame in which it was made";
+    }
     glFinish();
   }
   EXPECT_GT(timer.last_ms(), 0.0);
