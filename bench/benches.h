@@ -14,14 +14,17 @@ std::vector<Measurement> bench_planting_cpu(const BenchOptions& options);
 /// buffers.
 std::vector<Measurement> bench_planting_gpu(const BenchOptions& options);
 
-/// A walk over a square kilometre of a billion blades (bench/scale_scene.h): how long frames, start and
-/// memory are, what stands in which tier, and what more or denser grass costs.
-std::vector<Measurement> bench_scale(const BenchOptions& options);
+// A walk over a square kilometre of a billion blades (bench/scale_scene.h):
+/// how long its frames take, what stands in which tier;
+std::vector<Measurement> bench_scale_walk(const BenchOptions& options);
+/// what denser and larger fields cost;
+std::vector<Measurement> bench_scale_variants(const BenchOptions& options);
+/// how long it takes to start and what memory it needs, in processes of their own;
+std::vector<Measurement> bench_scale_processes(const BenchOptions& options);
+/// a frame of it against the same picture of 3D blades alone.
+std::vector<Measurement> bench_scale_picture(const BenchOptions& options);
 
 /// Each tier, at the distance at which it gives way to the next, against the all-3D picture.
 std::vector<Measurement> bench_tier_pictures(const BenchOptions& options);
-
-/// A frame of that walk against the same picture of 3D blades alone.
-std::vector<Measurement> bench_scale_picture(const BenchOptions& options);
 
 }  // namespace prairie
