@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "bench/benches.h"
 #include "bench/scale_folder.h"
 #include "bench/scale_scene.h"
 #include "bench/scale_target.h"
@@ -30,6 +31,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFirstFrame = "first_frame_at_s";  // on the clock that all processes share
 constexpr const char* kPeak = "peak_rss_mb";
+
+struct ChildMeasurements {
+  double startup_s = 0.0;  // from before the process to the end of the first frame
+  double peak_rss_mb = 0.0;
+};
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -96,8 +102,7 @@ std::string output_of(const std::string& task, std::vector<std::string> argument
   return output;
 }
 
-}  // namespace
-
+/// Runs this program again as `prairie bench TASK --child FOLDER`, with no shaders cached.
 ChildMeasurements run_scale_process(const std::string& task, const fs::path& folder,
                                     const BenchOptions& options) {
   const BenchFolder caches;
@@ -114,6 +119,8 @@ ChildMeasurements run_scale_process(const std::string& task, const fs::path& fol
   return measurements;
 }
 
+}  // namespace
+
 std::vector<Measurement> run_scale_child(const std::string& task, const fs::path& folder,
                                          const BenchOptions& options) {
   const ScaleGround ground = scale_ground(folder);
@@ -128,6 +135,16 @@ std::vector<Measurement> run_scale_child(const std::string& task, const fs::path
     if (frame == 0) first_frame_at_s = now_s();
   }
   return {{kFirstFrame, first_frame_at_s}, {kPeak, peak_rss_mb()}};
+}
+
+std::vector<Measurement> bench_scale_processes(const BenchOptions& options) {
+  const BenchFolder folder;
+  scale_ground(folder.path());  // made here, so that no child spends its time on it
+  const ChildMeasurements plain = run_scale_process(kWalkTask, folder.path(), options);
+  const ChildMeasurements repeated = run_scale_process(kRepeatedWalkTask, folder.path(), options);
+  return {{"scale.startup_s", plain.startup_s},
+          {"scale.peak_rss_mb", plain.peak_rss_mb},
+          {"scale.repeat10_extra_mb", repeated.peak_rss_mb - plain.peak_rss_mb}};
 }
 
 }  // namespace prairie

@@ -10,22 +10,12 @@
 
 namespace prairie {
 
-struct ChildMeasurements {
-  double startup_s = 0.0;  // from before the process to the end of the first frame
-  double peak_rss_mb = 0.0;
-};
-
 /// The tasks.
 inline constexpr const char* kWalkTask = "walk";
 inline constexpr const char* kRepeatedWalkTask = "walk-repeated";
 
-/// Runs this program again as `prairie bench TASK --child FOLDER`, with no shaders cached. Throws
-/// OutputFailure if it fails.
-ChildMeasurements run_scale_process(const std::string& task, const std::filesystem::path& folder,
-                                    const BenchOptions& options);
-
-/// What that child does: loads the scene, draws the walk, and says when the first frame was there and what it
-/// held.
+/// What `prairie bench TASK --child FOLDER` does: loads the scene, draws the walk, and says when the first
+/// frame was there and what it held.
 std::vector<Measurement> run_scale_child(const std::string& task, const std::filesystem::path& folder,
                                          const BenchOptions& options);
 

@@ -23,15 +23,17 @@ constexpr const char* kMadeUpFile = "ground.tif";
 
 constexpr std::uint64_t kSeed = 7;
 constexpr int kNodes = 1001;  // a kilometre from the first to the last
-// Hills and the banks on them, fitted to the lidar tile's relief.
-constexpr double kHillsM = 24.0;
-constexpr double kHillWidthM = 330.0;
-constexpr double kBanksM = 4.5;
+// Hills, and on them banks, here gentle and there steep, fitted to the lidar tile's relief.
+constexpr double kHillsM = 41.0;
+constexpr double kHillWidthM = 550.0;
+constexpr double kBanksM = 9.0;
 constexpr double kBankWidthM = 50.0;
+constexpr double kRoughWidthM = 140.0;
 
 double made_up_height_m(glm::dvec2 p) {
+  const double roughness = 0.5 + 0.5 * lattice_noise(kSeed + 20, p / kRoughWidthM + 0.7);
   return kHillsM * layered_noise(kSeed, p / kHillWidthM + 0.37) +
-         kBanksM * layered_noise(kSeed + 10, p / kBankWidthM + 0.11);
+         kBanksM * roughness * layered_noise(kSeed + 10, p / kBankWidthM + 0.11);
 }
 
 /// Correlation of the heights with those `lag` nodes further east and north.
@@ -82,7 +84,7 @@ ScaleGround scale_ground(const fs::path& folder) {
   if (const char* data = std::getenv("PRAIRIE_DATA");
       data != nullptr && fs::exists(fs::path(data) / kLidarTile, error)) {
     return {
-        fs::path(data) / kLidarTile, "lidar tile NEON D09 NOGP, 350000 5185000", {500.0, 500.0}, 0.0, -2.0};
+        fs::path(data) / kLidarTile, "lidar tile NEON D09 NOGP, 350000 5185000", {700.0, 300.0}, 330.0, -2.0};
   }
   const fs::path file = folder / kMadeUpFile;
   if (!fs::exists(file, error)) write_file_atomically(file, encode_geotiff(made_up_prairie(), nullptr));

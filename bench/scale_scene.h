@@ -19,7 +19,7 @@ World scale_world(const ScaleGround& ground, const ScaleVariant& variant);
 /// Blades that planting gives on average, on one period of the ground.
 double expected_blades(const World& world);
 
-inline constexpr int kWalkFrames = 120;
+inline constexpr int kWalkFrames = 100;
 
 /// What the walker sees in the n-th frame; n may be negative.
 Camera walk_camera(const World& world, const ScaleGround& ground, int frame);

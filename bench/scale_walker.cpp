@@ -1,0 +1,39 @@
+#include "bench/scale_walker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+namespace prairie {
+
+Walker::Walker(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options)
+    : ground_(ground), world_(scale_world(ground, variant)), renderer_(world_, options.shader_folder) {}
+
+void Walker::step(int frame, const OffscreenTarget& target) {
+  const Camera seen = camera(frame);
+  const auto start = std::chrono::steady_clock::now();
+  statistics_ = renderer_.draw(seen, {}, target.framebuffer());
+  glFinish();
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  if (frame < 0) return;
+  frame_ms_.push_back(elapsed.count());
+  plan_ms_.push_back(statistics_.plan_ms);
+}
+
+void Walker::begin_again() {
+  frame_ms_.clear();
+  plan_ms_.clear();
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, nth);
+  return *nth;
+}
+
+double median(const std::vector<double>& values) {
+  return quantile(values, 0.5);
+}
+
+}  // namespace prairie
