@@ -95,9 +95,8 @@ int measure(const BenchCommandOptions& options, const GlobalOptions& globals) {
   if (!options.child_folder.empty()) {
     return print_for_parent(run_bench_child(options.prefix, options.child_folder, bench_options));
   }
-  const std::vector<std::string> names = bench_names();
-  if (std::ranges::none_of(names,
-                           [&](const std::string& name) { return name.starts_with(options.prefix); })) {
+  if (chosen_bench_names(options.prefix).empty()) {
+    const std::vector<std::string> names = bench_names();
     throw UsageError("NAME", options.prefix + did_you_mean(options.prefix, names),
                      fmt::format("the beginning of one of {}", fmt::join(names, ", ")));
   }
@@ -122,6 +121,7 @@ void add_bench_command(CLI::App& app, const GlobalOptions& globals, Command& cho
   command->footer(
       "Examples:\n"
       "  prairie bench\n"
+      "  prairie bench scale.frame --details\n"
       "  prairie bench planting --json");
   command->callback(
       [options, &globals, &chosen] { chosen = [options, &globals] { return measure(*options, globals); }; });

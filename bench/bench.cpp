@@ -40,6 +40,10 @@ const std::vector<Bench>& benches() {
   return all;
 }
 
+bool is_chosen(const Bench& bench, std::string_view name, std::string_view prefix) {
+  return name.starts_with(prefix) && !(prefix.empty() && bench.takes_minutes);
+}
+
 }  // namespace
 
 std::vector<std::string> bench_names() {
@@ -48,14 +52,23 @@ std::vector<std::string> bench_names() {
   return names;
 }
 
+std::vector<std::string> chosen_bench_names(const std::string& prefix) {
+  std::vector<std::string> names;
+  for (const Bench& bench : benches()) {
+    for (const std::string_view name : bench.names) {
+      if (is_chosen(bench, name, prefix)) names.emplace_back(name);
+    }
+  }
+  return names;
+}
+
 std::vector<Measurement> run_benches(const std::string& prefix, const BenchOptions& options) {
-  const auto is_chosen = [&](std::string_view name) { return name.starts_with(prefix); };
   std::vector<Measurement> measurements;
   for (const Bench& bench : benches()) {
-    if (prefix.empty() && bench.takes_minutes) continue;
-    if (std::ranges::none_of(bench.names, is_chosen)) continue;
+    const auto chosen = [&](std::string_view name) { return is_chosen(bench, name, prefix); };
+    if (std::ranges::none_of(bench.names, chosen)) continue;
     for (Measurement& measurement : bench.measure(options)) {
-      if (is_chosen(measurement.name)) measurements.push_back(std::move(measurement));
+      if (chosen(measurement.name)) measurements.push_back(std::move(measurement));
     }
   }
   return measurements;

@@ -25,8 +25,10 @@ struct Measurement {
 /// The names of all measurements, in the order in which they are made.
 std::vector<std::string> bench_names();
 
-/// Runs the benches of which a measurement's name begins with `prefix`, and returns those measurements.
-/// Without a prefix, benches that take minutes are left out.
+/// The names of those that begin with `prefix`; without a prefix, of those that do not take minutes.
+std::vector<std::string> chosen_bench_names(const std::string& prefix);
+
+/// Runs the benches that chosen measurements belong to, and returns those measurements.
 std::vector<Measurement> run_benches(const std::string& prefix, const BenchOptions& options);
 
 /// What a child process does for a bench of its parent, which left it files in `folder`

@@ -81,14 +81,13 @@ NodeGrid made_up_prairie() {
 
 ScaleGround scale_ground(const fs::path& folder) {
   std::error_code error;
-  if (const char* data = std::getenv("PRAIRIE_DATA");
-      data != nullptr && fs::exists(fs::path(data) / kLidarTile, error)) {
-    return {
-        fs::path(data) / kLidarTile, "lidar tile NEON D09 NOGP, 350000 5185000", {700.0, 300.0}, 330.0, -2.0};
+  if (const char* data = std::getenv("PRAIRIE_DATA"); data != nullptr) {
+    const fs::path tile = fs::path(data) / kLidarTile;
+    if (fs::exists(tile, error)) return {tile, "lidar tile NEON D09 NOGP 350000 5185000"};
   }
   const fs::path file = folder / kMadeUpFile;
   if (!fs::exists(file, error)) write_file_atomically(file, encode_geotiff(made_up_prairie(), nullptr));
-  return {file, "made-up ground of the lidar tile's relief", {500.0, 500.0}, 0.0, -2.0};
+  return {file, "made-up ground of the lidar tile's relief"};
 }
 
 Relief relief_of(const NodeGrid& heights_m) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <glm/vec2.hpp>
 #include <string>
 
 #include "maps/node_grid.h"
@@ -13,10 +12,6 @@ namespace prairie {
 struct ScaleGround {
   std::filesystem::path file;  // heights in metres, 1 m from node to node
   std::string name;            // for the reader of the measurements
-  glm::dvec2 start_m{
-      0.0};              // where the walk begins: on a rise, before it near and far slopes that face the eye
-  double yaw_deg = 0.0;  // in which it looks and goes
-  double pitch_deg = 0.0;
 };
 
 /// The made-up ground lies in `folder`; it is written there if it is not there yet. Throws OutputFailure.

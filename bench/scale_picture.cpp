@@ -43,7 +43,7 @@ std::vector<Measurement> bench_scale_picture(const BenchOptions& options) {
   const World world = scale_world(ground, {});
   const HeadlessContext context(options.device);
   Renderer renderer(world, options.shader_folder);
-  const Camera camera = walk_camera(world, ground, kWalkFrames - 1);
+  const Camera camera = walk_camera(world, kWalkFrames - 1);
   const Picture frame = renderer.render(camera, {}, 1);
   const Picture flat = renderer.render(camera, {.tier = Tier::kFlat}, 1);
   const Picture reference = renderer.render(camera, {.tier = Tier::kSpline, .msaa = true}, kReferenceSamples);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 #include <string>
 
@@ -13,6 +12,10 @@ namespace {
 
 constexpr double kFescuePerM2 = 800.0;
 constexpr double kOatgrassPerM2 = 200.0;
+// On either ground a gentle slope, before it a valley and its far side: near and far grass in one view.
+constexpr glm::dvec2 kStartM{700.0, 300.0};
+constexpr double kYawDeg = 330.0;
+constexpr double kPitchDeg = -2.0;
 constexpr double kWalkMPerS = 1.4;
 constexpr double kFramesPerS = 30.0;
 
@@ -80,14 +83,14 @@ double expected_blades(const World& world) {
   return per_m2 * world.meadow().extent_m.x * world.meadow().extent_m.y;
 }
 
-Camera walk_camera(const World& world, const ScaleGround& ground, int frame) {
+Camera walk_camera(const World& world, int frame) {
   Camera camera;
-  camera.yaw_rad = glm::radians(ground.yaw_deg);
+  camera.yaw_rad = glm::radians(kYawDeg);
   const glm::dvec2 ahead(camera.forward());
-  const glm::dvec2 place_m = ground.start_m + ahead * (kWalkMPerS / kFramesPerS * frame);
+  const glm::dvec2 place_m = kStartM + ahead * (kWalkMPerS / kFramesPerS * frame);
   camera.eye_m =
       glm::dvec3(place_m, static_cast<double>(world.meadow().ground.height_m(place_m)) + kEyeHeightM);
-  camera.pitch_rad = glm::radians(ground.pitch_deg);
+  camera.pitch_rad = glm::radians(kPitchDeg);
   return camera;
 }
 

@@ -22,6 +22,6 @@ double expected_blades(const World& world);
 inline constexpr int kWalkFrames = 100;
 
 /// What the walker sees in the n-th frame; n may be negative.
-Camera walk_camera(const World& world, const ScaleGround& ground, int frame);
+Camera walk_camera(const World& world, int frame);
 
 }  // namespace prairie

@@ -60,6 +60,9 @@ void count_blades(const Walker& walker, const BenchOptions& options, std::vector
   tell("hermite", statistics.hermite);
   tell("strip", statistics.strip);
   tell("flat", statistics.flat);
+  for (const StageTime& stage : statistics.gpu_times) {
+    *options.details << fmt::format("{}: {:.2f} ms on the device\n", stage.name, stage.ms);
+  }
 }
 
 void measure_shares(Walker& walker, std::vector<Measurement>& measurements) {

@@ -7,7 +7,7 @@
 namespace prairie {
 
 Walker::Walker(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options)
-    : ground_(ground), world_(scale_world(ground, variant)), renderer_(world_, options.shader_folder) {}
+    : world_(scale_world(ground, variant)), renderer_(world_, options.shader_folder) {}
 
 void Walker::step(int frame, const OffscreenTarget& target) {
   const Camera seen = camera(frame);

@@ -15,7 +15,7 @@ class Walker {
   /// Needs a current context. Throws what World and Renderer throw.
   Walker(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options);
 
-  Camera camera(int frame) const { return walk_camera(world_, ground_, frame); }
+  Camera camera(int frame) const { return walk_camera(world_, frame); }
   const World& world() const { return world_; }
   Renderer& renderer() { return renderer_; }
 
@@ -29,7 +29,6 @@ class Walker {
   const std::vector<double>& plan_ms() const { return plan_ms_; }
 
  private:
-  ScaleGround ground_;
   World world_;
   Renderer renderer_;
   FrameStatistics statistics_;
