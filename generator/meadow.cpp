@@ -20,14 +20,20 @@ double largest_value(const NodeGrid& map) {
 
 }  // namespace
 
-double tallest_blade_m(const Meadow& meadow) {
-  double tallest_m = 0.0;
+std::vector<double> longest_blades_m(const Meadow& meadow) {
+  const double factor = std::max(1.0, largest_value(meadow.blade_height));
+  std::vector<double> longest_m;
   for (const PlantedSpecies& species : meadow.species) {
     const SpeciesParams& params = species.species.params;
-    tallest_m = std::max(tallest_m, static_cast<double>(params.height_m * (1.0f + layouts::kTallestSpread *
-                                                                                       params.height_spread)));
+    longest_m.push_back(factor * static_cast<double>(params.height_m * (1.0f + layouts::kTallestSpread *
+                                                                                   params.height_spread)));
   }
-  return tallest_m * std::max(1.0, largest_value(meadow.blade_height));
+  return longest_m;
+}
+
+double tallest_blade_m(const Meadow& meadow) {
+  const std::vector<double> longest_m = longest_blades_m(meadow);
+  return longest_m.empty() ? 0.0 : *std::max_element(longest_m.begin(), longest_m.end());
 }
 
 double densest_per_m2(const PlantedSpecies& species) {

@@ -30,7 +30,10 @@ struct Meadow {
   glm::vec3 soil_color{0.11f, 0.08f, 0.05f};
 };
 
-/// No blade is longer. Reads the whole map of blade heights.
+/// For each species a length that no blade of it exceeds. Reads the whole map of blade heights.
+std::vector<double> longest_blades_m(const Meadow& meadow);
+
+/// The largest of them.
 double tallest_blade_m(const Meadow& meadow);
 
 /// The largest density of a species. Reads its whole map.

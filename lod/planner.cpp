@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lod/cell_quarters.h"
 #include "lod/ground_quadtree.h"
 #include "lod/strip_plan.h"
 #include "lod/thinning.h"
@@ -23,14 +24,20 @@ constexpr float kPlay = 0.02f;
 // Strips nearer than this many of their sides follow the ground in several quads.
 constexpr double kNearStripSides = 10.0;
 
+// Up to this distance, at the reference pixel, cells of enough blades are culled and thinned by quarters.
+constexpr double kQuartersFarM = 12.0;
+constexpr std::uint32_t kLeastInQuarters = 64;
+
 constexpr std::array<std::uint32_t, 5> kSegments = {7, 5, 3, 2, 1};
 
-// Segments that keep a bent blade smooth: about one for every dozen pixels of its length.
-std::size_t segment_class(double blade_pixels) {
-  constexpr std::array<double, 4> kLeastPixels = {90.0, 45.0, 20.0, 8.0};
+// Segments that keep a bent blade smooth: about one for every twenty pixels of its length. The picture of all blades is what
+// others are compared with: there, blades keep their shape at any distance.
+std::size_t segment_class(double blade_pixels, bool all) {
+  constexpr std::size_t kShapely = 0;
+  constexpr std::array<double, 4> kLeastPixels = {160.0, 70.0, 30.0, 14.0};
   std::size_t n = 0;
   while (n < kLeastPixels.size() && blade_pixels < kLeastPixels[n]) ++n;
-  return n;
+  return all ? std::min(n, kShapely) : n;
 }
 
 // What a tile in view takes at most: four cells made ready, once more in the plan, and its strips.
@@ -77,7 +84,9 @@ double far_of(const Meadow& meadow, const Camera& camera, const PlanOptions& opt
 }  // namespace
 
 Planner::Planner(const Meadow& meadow)
-    : meadow_(&meadow), lattice_(meadow), tallest_blade_m_(tallest_blade_m(meadow)) {}
+    : meadow_(&meadow), lattice_(meadow), longest_m_(longest_blades_m(meadow)) {
+  tallest_blade_m_ = *std::max_element(longest_m_.begin(), longest_m_.end());
+}
 
 float Planner::morph_of(const FramePlan& plan, std::uint64_t tile_key, float band, float n_dot_r) {
   if (band > -kPlay && band < 1.0f + kPlay) {
@@ -102,6 +111,8 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   const bool all = options.tier == Tier::kSpline || options.tier == Tier::kHermite;
   const double far_m = far_of(*meadow_, camera, options, all);
   const double cell_m = meadow_->tile_m / kCellsPerSide;
+  const double quarters_far_m =
+      all ? 0.0 : kQuartersFarM * static_cast<double>(plan.lod.reference_pixel) / camera.pixel_m();
   Kernels kernels;
   MeshCells meshes;
   std::vector<StripTile> far_strips;
@@ -134,7 +145,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
     }
     const double base_m = tile_base_m(*meadow_, seen.id);
     for (int cell = 0; cell < kCellsPerTile; ++cell) {
-      if (!search.sees_cell(seen.id, cell)) continue;
+      if (!search.sees(search.box_of_cell(seen.id, cell))) continue;
       tables.cells.clear();
       tables.tables.clear();
       append_cell(*meadow_, lattice_, seen.id, cell, tables);
@@ -144,30 +155,43 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
       const HeightRange range = ground_range(heights_m);
       const Box ground{glm::dvec3(min_m, base_m + static_cast<double>(range.min_m)),
                        glm::dvec3(min_m + cell_m, base_m + static_cast<double>(range.max_m))};
-      const double keep = static_cast<double>(kernels.blades_left(morph)) *
-                          keep_bound(plan.lod, lod_camera, {ground, heights_m, cell_m});
-      const double distance_m = nearest_distance_m(ground, plan.lod_eye_m);
-      const double pixel_m = lod_camera.pixel_m_at(std::max(distance_m, 0.1));
-      const bool is_spline = kernels.hermite_share(plan.lod, static_cast<float>(distance_m)) < 1.0f;
       const auto texels = static_cast<std::uint32_t>(plan.tables.size() / 4);
       bool is_drawn = false;
       for (const PlantedCell& planted : tables.cells) {
         plan.blades_planted_in_view += planted.planted;
-        const std::uint32_t drawn = drawn_bound(planted, keep);
-        if (drawn == 0) continue;
-        is_drawn = true;
+        const SpeciesParams& params = meadow_->species[planted.species].species.params;
+        const double reach_m = static_cast<double>(longest_m_[planted.species]);
         DrawnCell drawn_cell{};
         drawn_cell.planted = planted;
         drawn_cell.planted.ground_table += texels;
         drawn_cell.planted.density_table += texels;
         if (planted.feature_table != kNoTable) drawn_cell.planted.feature_table += texels;
         drawn_cell.eye_from_tile_m = glm::vec3(glm::dvec3(origin_m, base_m) - camera.eye_m);
-        drawn_cell.drawn = drawn;
         drawn_cell.morph = morph;
-        const SpeciesParams& params = meadow_->species[planted.species].species.params;
-        const std::size_t segments = segment_class(static_cast<double>(params.height_m) / pixel_m);
-        drawn_cell.segments = kSegments[segments];
-        meshes.hermite_and_spline[is_spline][segments].push_back(drawn_cell);
+        const auto add_roots_in = [&](const Box& roots) {
+          const Box blades{roots.min_m - glm::dvec3(reach_m, reach_m, 0.0), roots.max_m + reach_m};
+          if (!search.sees(blades)) return;
+          const double keep = static_cast<double>(kernels.blades_left(morph)) *
+                              keep_bound(plan.lod, lod_camera, {roots, heights_m, cell_m});
+          const std::uint32_t drawn = drawn_bound(planted, keep);
+          drawn_cell.drawn = drawn_cell.quarter == 0 ? drawn : drawn_in_quarter(drawn_cell.quarter, drawn);
+          if (drawn_cell.drawn == 0) return;
+          is_drawn = true;
+          const double distance_m = nearest_distance_m(roots, plan.lod_eye_m);
+          const double pixel_m = lod_camera.pixel_m_at(std::max(distance_m, 0.1));
+          const bool is_spline = kernels.hermite_share(plan.lod, static_cast<float>(distance_m)) < 1.0f;
+          const std::size_t segments = segment_class(static_cast<double>(params.height_m) / pixel_m, all);
+          meshes.hermite_and_spline[is_spline][segments].push_back(drawn_cell);
+        };
+        if (planted.planted < kLeastInQuarters || nearest_distance_m(ground, plan.lod_eye_m) > quarters_far_m) {
+          add_roots_in(ground);
+          continue;
+        }
+        for (const CellQuarter& quarter : quarters_of(planted, tables.tables)) {
+          drawn_cell.quarter = quarter.code;
+          add_roots_in({glm::dvec3(min_m + glm::dvec2(quarter.min_m), ground.min_m.z),
+                        glm::dvec3(min_m + glm::dvec2(quarter.max_m), ground.max_m.z)});
+        }
       }
       if (is_drawn) plan.tables.insert(plan.tables.end(), tables.tables.begin(), tables.tables.end());
     }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "generator/cell_table.h"
 #include "generator/meadow.h"
@@ -37,7 +38,8 @@ class Planner {
 
   const Meadow* meadow_;
   PlantingLattice lattice_;
-  double tallest_blade_m_;
+  std::vector<double> longest_m_;  // blade of each species
+  double tallest_blade_m_ = 0.0;
   std::unordered_map<std::uint64_t, float> bands_;       // of the morphing tiles of the last plan
   std::unordered_map<std::uint64_t, float> next_bands_;  // and of the plan being made
 };

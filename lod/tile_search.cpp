@@ -36,9 +36,9 @@ std::vector<SeenTile> TileSearch::tiles(std::size_t most_tiles) {
   return std::move(found_);
 }
 
-bool TileSearch::sees_cell(TileId tile, int cell) const {
+Box TileSearch::box_of_cell(TileId tile, int cell) const {
   const glm::dvec2 min_m = tile_origin_m(meadow_, tile) + glm::dvec2(cell_offset_m(meadow_, cell));
-  return frustum_.may_see(box_of(min_m, min_m + meadow_.tile_m / kCellsPerSide));
+  return box_of(min_m, min_m + meadow_.tile_m / kCellsPerSide);
 }
 
 double TileSearch::far_from_field_m() const {

@@ -26,8 +26,9 @@ class TileSearch {
   /// Front to back. Throws OverBudget where there are more than `most_tiles`.
   std::vector<SeenTile> tiles(std::size_t most_tiles);
 
-  /// Whether a cell of the tile may be seen.
-  bool sees_cell(TileId tile, int cell) const;
+  bool sees(const Box& box) const { return frustum_.may_see(box); }
+  /// Holds a cell's ground and blades.
+  Box box_of_cell(TileId tile, int cell) const;
 
  private:
   void visit(int level, int column, int row);

@@ -10,13 +10,13 @@ namespace prairie {
 namespace {
 
 // Blades whose indices lie ready; more are drawn by shifting the base vertex.
-constexpr std::uint32_t kIndexedBlades = 4096;
+constexpr std::uint32_t kIndexedBlades = 4000;
 
 std::uint32_t vertices_of(std::uint32_t segments) {
-  return 2 * segments + 1;
+  return 2 * segments + 2;
 }
 std::uint32_t triangles_of(std::uint32_t segments) {
-  return 2 * segments - 1;
+  return 2 * segments;
 }
 std::size_t bytes_of(std::uint32_t segments) {
   return vertices_of(segments) * sizeof(GrownVertex);

@@ -53,7 +53,6 @@ FramePlan plan_of(const Meadow& strip, std::uint32_t species, float all_per_m2) 
   cell.planted.other_density_per_m2 = std::max(all_per_m2 - strip.species[0].density_per_m2.sample({0.0, 0.0}), 0.0f);
   cell.planted.species = species;
   cell.drawn = cell.planted.planted;
-  cell.segments = kSegments;
   plan.cells.push_back(cell);
   plan.groups.push_back({false, kSegments, 0, 1});
   plan.tables = tables.tables;
@@ -120,7 +119,7 @@ GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const Fra
       glClearNamedFramebufferfv(framebuffer.get(), GL_DEPTH, 0, &far);
       stream.begin_frame();
       blades.prepare(stream, plan, widened);
-      glProgramUniform1ui(program_.get(), 0, 2 * kSegments + 1);
+      glProgramUniform1ui(program_.get(), 0, 2 * kSegments + 2);
       glProgramUniform1f(program_.get(), 1, static_cast<float>(plan.blades_drawn));
       glProgramUniform3fv(program_.get(), 3, 1, &kFacing[facing].along[0]);
       for (const float shift : {-frame.tile_m, 0.0f, frame.tile_m}) {

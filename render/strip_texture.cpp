@@ -17,6 +17,11 @@ struct ColorSum {
   double texels = 0.0;
 };
 
+// A few glints must not dim all the rest of what 8 bits hold.
+double clamped(double radiance, double mean) {
+  return std::min(radiance, static_cast<double>(kBrightest) * mean);
+}
+
 // The mean radiance around each row.
 std::vector<ColorSum> row_means(const StripDrawing& drawing) {
   std::vector<ColorSum> sums(static_cast<std::size_t>(drawing.rows));
@@ -50,9 +55,10 @@ StripLevel finest_level(const StripDrawing& drawing) {
     const ColorSum& mean = means[n / static_cast<std::size_t>(drawing.columns)];
     const float rank = drawing.rgba[4 * n + 3];
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      const double share = rank < 1.0f ? static_cast<double>(drawing.rgba[4 * n + channel]) /
-                                             std::max(mean.rgb[channel], 1e-6)
-                                       : 1.0;
+      const double share =
+          rank < 1.0f ? clamped(static_cast<double>(drawing.rgba[4 * n + channel]), mean.rgb[channel]) /
+                            std::max(mean.rgb[channel], 1e-6)
+                      : 1.0;
       level.rgba[4 * n + channel] = static_cast<std::uint8_t>(
           std::lround(255.0 * std::clamp(share / static_cast<double>(kBrightest), 0.0, 1.0)));
     }

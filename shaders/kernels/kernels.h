@@ -38,6 +38,7 @@ struct Kernels {
 
 #include "shaders/kernels/random.glsl"
 #include "shaders/kernels/sequence.glsl"
+#include "shaders/kernels/quarter.glsl"
 #include "shaders/kernels/interpolation.glsl"
 #include "shaders/kernels/trigonometry.glsl"
 #include "shaders/kernels/warp.glsl"
@@ -54,6 +55,7 @@ struct Kernels {
 #include "shaders/kernels/color.glsl"
 #include "shaders/kernels/radiance.glsl"
 #include "shaders/kernels/lighting.glsl"
+#include "shaders/kernels/blade_mesh.glsl"
 #include "shaders/kernels/tone.glsl"
 };
 #undef precise

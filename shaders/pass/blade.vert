@@ -5,7 +5,7 @@
 
 layout(location = 0) in vec3 position_m;
 layout(location = 1) in vec3 vertex_radiance;
-layout(location = 0) out vec3 radiance;
+layout(location = 0) centroid out vec3 radiance;
 
 void main() {
   radiance = vertex_radiance;

@@ -1,6 +1,6 @@
 #version 450 core
 // Plants and poses the blades of a batch and gives each its vertices, lit (B11 §2.3), as seen from the eye (docs/design.md, D3).
-// Vertices come in pairs from the foot up, the last one is the tip. Lit here, since blades are a pixel or two wide.
+// Vertices come in pairs from the foot up. Lit here, since blades are a pixel or two wide.
 //
 // Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03 §3.3); both have the
 // same pose, and the first turns into the second over a band of distances.
@@ -36,7 +36,7 @@ void main() {
   if (index >= blade_count) return;
   DrawnCell drawn = load_cell(cell_of(index));
   PlantedCell cell = drawn.planted;
-  uint k = index - drawn.first_blade + drawn.first_index;
+  uint k = quarter_index(drawn.quarter, index - drawn.first_blade + drawn.first_index);
 
   SpeciesParams species = load_species(cell.species);
   WarpedRoot root = plant_root(cell, k);
@@ -78,32 +78,29 @@ void main() {
   // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by, their mean does
   // by its √n-th part.
   float own_share = sqrt(area_left(frame.lod, keep));
-  SwardView view = sward_view(normal, to_eye);
+  vec3 seen_m = root_m + vec3(0.0f, 0.0f, 0.6f * blade.height_m);
+  SwardView view = sward_view(normal, frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m));
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
   vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
 
   Haze haze = haze_at(root_m);
-  uint vertex = first_vertex + index * (2u * segments + 1u);
+  float segment = 1.0f / float(int(segments));
+  uint vertex = first_vertex + index * (2u * segments + 2u);
   for (uint n = 0u; n <= segments; ++n) {
-    float t = float(int(n)) / float(int(segments));
-    vec3 centre_m = midrib_point(midrib, t);
-    vec3 along = midrib_derivative(midrib, t);
-    BladeSurface surface = blade_surface(along, midrib.side, to_eye);
-    vec3 half_width_m = surface.side * (0.5f * width_m * blade_profile(t));
+    float t = float(int(n)) * segment;
+    vec3 centre_m = drawn.eye_from_tile_m + midrib_point(midrib, t);
+    BladeSurface surface = blade_surface(midrib_derivative(midrib, t), midrib.side, to_eye);
+    vec3 half_width_m = surface.side * (0.5f * width_m * mean_profile(t, segment));
     vec3 albedo = mixed(root_color, tip_color, t);
-    vec3 left = blade_radiance(frame, albedo, species.transmission, species.specular, t, shade,
-                               inner(surface.left, frame.sun_direction), ground_n_dot_v);
-    vec3 right = blade_radiance(frame, albedo, species.transmission, species.specular, t, shade,
-                                inner(surface.right, frame.sun_direction), ground_n_dot_v);
+    float l6 = mean_power6(t, segment);
+    vec3 left = blade_radiance_around(frame, albedo, species.transmission, species.specular, t, l6, shade,
+                                      inner(surface.left, frame.sun_direction), ground_n_dot_v);
+    vec3 right = blade_radiance_around(frame, albedo, species.transmission, species.specular, t, l6, shade,
+                                       inner(surface.right, frame.sun_direction), ground_n_dot_v);
     left = hazed(tier_tinted(mixed(mean_radiance, left, own_share)), haze);
     right = hazed(tier_tinted(mixed(mean_radiance, right, own_share)), haze);
-    centre_m += drawn.eye_from_tile_m;
-    if (n == segments) {
-      vertices[vertex] = uvec4(floatBitsToUint(centre_m), pack_radiance(mixed(left, right, 0.5f)));
-    } else {
-      vertices[vertex] = uvec4(floatBitsToUint(centre_m - half_width_m), pack_radiance(left));
-      vertices[vertex + 1u] = uvec4(floatBitsToUint(centre_m + half_width_m), pack_radiance(right));
-    }
+    vertices[vertex] = uvec4(floatBitsToUint(centre_m - half_width_m), pack_radiance(left));
+    vertices[vertex + 1u] = uvec4(floatBitsToUint(centre_m + half_width_m), pack_radiance(right));
     vertex += 2u;
   }
 }

@@ -1,6 +1,7 @@
 // All kernels, in the order in which GLSL needs them; before it, a shader provides `vec4 table_texel(uint texel)`.
 #include "shaders/kernels/random.glsl"
 #include "shaders/kernels/sequence.glsl"
+#include "shaders/kernels/quarter.glsl"
 #include "shaders/kernels/interpolation.glsl"
 #include "shaders/kernels/trigonometry.glsl"
 #include "shaders/kernels/warp.glsl"
@@ -17,4 +18,5 @@
 #include "shaders/kernels/color.glsl"
 #include "shaders/kernels/radiance.glsl"
 #include "shaders/kernels/lighting.glsl"
+#include "shaders/kernels/blade_mesh.glsl"
 #include "shaders/kernels/tone.glsl"

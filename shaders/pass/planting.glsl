@@ -61,6 +61,7 @@ DrawnCell load_cell(uint index) {
   cell.planted.clump_seed = e.w;
   cell.eye_from_tile_m = uintBitsToFloat(f.xyz);
   cell.first_blade = f.w;
+  cell.quarter = g.y;
   cell.first_index = g.z;
   cell.morph = uintBitsToFloat(g.w);
   return cell;

@@ -24,6 +24,14 @@ layout(location = 3) uniform uint quads;  // along a side
 
 const int kSides = 4;
 
+// What the tile's blades would show of themselves along the line of sight to a place.
+uint radiance_at(vec3 from_eye_m, vec3 normal, float density_per_m2, float blade_height, vec3 color_factor, uint species) {
+  SwardView view = sward_view(normal, normalized(-from_eye_m));
+  float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * blade_height);
+  vec3 color = sward_color(1 + int(species), view, optical_depth, shade_of(density_per_m2, frame.shade_density_per_m2));
+  return pack_radiance(hazed(tinted_tier(color * color_factor, kStripTint), haze_at(from_eye_m)));
+}
+
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= column_count) return;
@@ -58,13 +66,11 @@ void main() {
   vec4 east_m = uintBitsToFloat(texelFetch(tile_texels, first + 5));
   vec4 west_m = uintBitsToFloat(texelFetch(tile_texels, first + 7));
   vec3 normal = normalized(vec3(south_m.x - east_m.x, south_m.x - west_m.x, side_m));
-  vec3 to_eye = normalized(-foot_m);
-  SwardView view = sward_view(normal, to_eye);
   float blade_height = uintBitsToFloat(b.y);
-  float optical_depth = sward_optical_depth(view, all_per_m2 / frame.density_per_leaf_area * blade_height);
-  float shade = shade_of(all_per_m2, frame.shade_density_per_m2);
-  vec3 color = sward_color(1 + int(species_index), view, optical_depth, shade) * c.rgb;
-  uint radiance = pack_radiance(hazed(tinted_tier(color, kStripTint), haze_at(foot_m)));
+  float height_m = species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
+  vec3 top_m = foot_m + vec3(0.0f, 0.0f, height_m * grown);
+  uint foot_radiance = radiance_at(foot_m, normal, all_per_m2, blade_height, c.rgb, species_index);
+  uint top_radiance = radiance_at(top_m, normal, all_per_m2, blade_height, c.rgb, species_index);
 
   // Which of its faces is seen: south, east, north or west.
   bool is_east_west = (side & 1) == 0;
@@ -74,11 +80,9 @@ void main() {
   float shown = min(own_per_m2 / species.densest_per_m2, 1.0f);
   uint packed_shown = packUnorm2x16(vec2(shown, 1.0f));
 
-  float height_m = species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
-  vec3 top_m = foot_m + vec3(0.0f, 0.0f, height_m * grown);
   uint texel = 2u * uint(kStripVertexTexels) * (first_column + index);
-  vertices[texel] = uvec4(floatBitsToUint(foot_m), radiance);
+  vertices[texel] = uvec4(floatBitsToUint(foot_m), foot_radiance);
   vertices[texel + 1u] = uvec4(floatBitsToUint(vec3(along + shift, 1.0f - grown, layer)), packed_shown);
-  vertices[texel + 2u] = uvec4(floatBitsToUint(top_m), radiance);
+  vertices[texel + 2u] = uvec4(floatBitsToUint(top_m), top_radiance);
   vertices[texel + 3u] = uvec4(floatBitsToUint(vec3(along + shift, 1.0f, layer)), packed_shown);
 }

@@ -1,2 +1,2 @@
 // The strips' texture holds radiance as a share of its row's mean, up to this much.
-const float kBrightest = 3.0f;
+const float kBrightest = 5.0f;

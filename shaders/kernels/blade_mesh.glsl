@@ -1,0 +1,27 @@
+// What a vertex of a blade's mesh stands for. Between vertices width and light are linear, and both are strongly curved along
+// a blade: a vertex with the values of its own place makes coarse meshes too light and too narrow (one segment by a third).
+// So each takes the mean over its part of the blade, weighted as linear interpolation does (a hat of half-width h, the length
+// of a segment), by a quadrature with the hat's mean and variance: three places at inner vertices, two at the ends.
+
+// Of that quadrature's places along the blade, the outer ones; the third is their middle. Inner vertices: t ± h/2.
+vec2 places_around(float t, float h) {
+  if (t <= 0.0f) return vec2(0.09763107f * h, 0.56903559f * h);
+  if (t >= 1.0f) return vec2(1.0f - 0.56903559f * h, 1.0f - 0.09763107f * h);
+  return vec2(t - 0.5f * h, t + 0.5f * h);
+}
+
+float mean_around(float t, float low, float middle, float high) {
+  return (t <= 0.0f || t >= 1.0f) ? 0.5f * (low + high) : (low + middle + high) / 3.0f;
+}
+
+// Width at a vertex, as a share of the widest place.
+float mean_profile(float t, float h) {
+  vec2 places = places_around(t, h);
+  return mean_around(t, blade_profile(places.x), blade_profile(t), blade_profile(places.y));
+}
+
+// Mean of l⁶ (shaders/kernels/lighting.glsl) around a vertex.
+float mean_power6(float t, float h) {
+  vec2 places = places_around(t, h);
+  return mean_around(t, power6(places.x), power6(t), power6(places.y));
+}
