@@ -34,7 +34,7 @@ constexpr std::array<std::uint32_t, 5> kSegments = {7, 5, 3, 2, 1};
 // others are compared with: there, blades keep their shape at any distance.
 std::size_t segment_class(double blade_pixels, bool all) {
   constexpr std::size_t kShapely = 0;
-  constexpr std::array<double, 4> kLeastPixels = {160.0, 70.0, 30.0, 14.0};
+  constexpr std::array<double, 4> kLeastPixels = {200.0, 90.0, 36.0, 20.0};
   std::size_t n = 0;
   while (n < kLeastPixels.size() && blade_pixels < kLeastPixels[n]) ++n;
   return all ? std::min(n, kShapely) : n;

@@ -26,7 +26,7 @@ Bands bands_of(Quality quality) {
     case Quality::kLow:
       return {3.0, 4.0, 9.0, 14.0};
     case Quality::kMedium:
-      return {4.0, 5.5, 14.0, 20.0};
+      return {3.6, 4.8, 12.0, 17.0};
     case Quality::kHigh:
       break;
   }
@@ -87,7 +87,7 @@ LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_dista
       lod.a1 = 0.25f, lod.a2 = 0.20f, lod.a3 = 0.030f;
       break;
     case Quality::kMedium:
-      lod.a1 = 0.15f, lod.a2 = 0.12f, lod.a3 = 0.010f;
+      lod.a1 = 0.15f, lod.a2 = 0.17f, lod.a3 = 0.013f;
       break;
     case Quality::kHigh:
       lod.a1 = 0.05f, lod.a2 = 0.05f, lod.a3 = 0.004f;

@@ -13,6 +13,7 @@
 #include "render/graphics_reset.h"
 #include "render/ground_pass.h"
 #include "render/light.h"
+#include "render/noise_texture.h"
 #include "render/render_target.h"
 #include "render/shader_program.h"
 #include "render/stream_buffer.h"
@@ -106,6 +107,7 @@ struct Renderer::Passes {
     frame.jitter = jitter;
     show_frame();
     sward.bind();
+    glBindTextureUnit(7, noise_texture.get());
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -155,6 +157,7 @@ struct Renderer::Passes {
   StripPass strips;
   std::optional<GroundPass> ground;
   GlTexture strip_texture;
+  GlTexture noise_texture = make_noise_texture();
   GlProgram sky_program;
   GlProgram tone_program;
   GlVertexArray no_vertices;

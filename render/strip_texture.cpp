@@ -99,6 +99,16 @@ StripLevel coarser_level(const StripLevel& fine) {
 
 }  // namespace
 
+float standing_share(const StripDrawing& drawing) {
+  const auto texels = static_cast<std::size_t>(drawing.columns);
+  for (std::size_t row = static_cast<std::size_t>(drawing.rows); row-- > 0;) {
+    for (std::size_t n = row * texels; n < (row + 1) * texels; ++n) {
+      if (drawing.rgba[4 * n + 3] < 1.0f) return static_cast<float>(row + 1) / static_cast<float>(drawing.rows);
+    }
+  }
+  return 0.0f;
+}
+
 std::vector<StripLevel> strip_levels(const StripDrawing& drawing) {
   std::vector<StripLevel> levels{finest_level(drawing)};
   while (levels.back().columns > 1 || levels.back().rows > 1) levels.push_back(coarser_level(levels.back()));

@@ -8,32 +8,26 @@
 vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
-#include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/tint.glsl"
 #include "shaders/pass/value_noise.glsl"
 
-layout(binding = 0) uniform sampler2D flat_map;  // rgb: mean albedo of the blades, a: the ground they cover
+#include "shaders/pass/flat_map.glsl"
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 ground_normal;
+layout(location = 2) in vec3 sward_radiance;
+layout(location = 3) in float depth_per_leaf_area;
+layout(location = 4) in vec4 haze_color_and_share;
 layout(location = 0) out vec4 color;
 
-// The flat map over a pixel's long, narrow footprint: four places along it, each with the footprint's width as its own.
-// Done here rather than by anisotropic filters: they differ between devices, and Mesa's software renderer walks every
-// texel of a footprint, which takes seconds where ground is seen edge-on.
+// The flat map over a pixel's long, narrow footprint, as over a square of the same area: neither does it flicker nor is it
+// blurred to a band. Anisotropic filters differ between devices, and Mesa's software renderer walks every texel of a
+// footprint, which takes seconds where ground is seen edge-on.
 vec4 flat_map_over_footprint(vec2 uv) {
-  vec2 across = dFdx(uv);
-  vec2 along = dFdy(uv);
-  if (dot(across, across) > dot(along, along)) {
-    vec2 other = across;
-    across = along;
-    along = other;
-  }
-  vec4 sum = vec4(0.0);
-  for (int n = 0; n < 4; ++n) {
-    sum += textureGrad(flat_map, uv + along * ((float(n) + 0.5) / 4.0 - 0.5), across, along * 0.25);
-  }
-  return 0.25 * sum;
+  vec2 texels = vec2(textureSize(flat_map, 0));
+  vec2 dx = dFdx(uv) * texels;
+  vec2 dy = dFdy(uv) * texels;
+  return textureLod(flat_map, uv, 0.25 * log2(max(dot(dx, dx) * dot(dy, dy), 1.0e-12)));
 }
 
 // The share of the line of sight's pixels that strips cover. Rows of them stand `frame.tile_m` apart both ways; where less than
@@ -58,9 +52,8 @@ float cover_left(float optical_depth, float n_dot_r, float pixel_m, float distan
 }
 
 void main() {
-  vec2 place_m = frame.anchor_m + (from_eye_m.xy - frame.ground_from_eye_m.xy);
-  vec2 period_m = vec2(frame.flat_period_x_m, frame.flat_period_y_m);
-  vec4 grass = flat_map_over_footprint(place_m / period_m + 0.5 / vec2(textureSize(flat_map, 0)));
+  vec2 place_m = ground_place_m(from_eye_m);
+  vec4 grass = flat_map_over_footprint(flat_map_place(from_eye_m));
 
   float distance_m = length(from_eye_m);
   float detail = frame.parallel > 0.5 ? 1.0 : saturate(1.5 - distance_m / 60.0);
@@ -69,11 +62,9 @@ void main() {
 
   vec3 normal = normalize(ground_normal);
   vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m / max(distance_m, 1.0e-4);
-  SwardView view = sward_view(normal, to_eye);
-  float leaf_area = -log(1.0 - min(grass.a, 0.998)) / frame.projected_from_above;
-  float optical_depth = sward_optical_depth(view, leaf_area);
-  float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
-  vec3 sward = sward_color(kMix, view, optical_depth, shade) * grass.rgb / frame.mean_albedo;
+  float optical_depth = leaf_area_of(grass.a) * depth_per_leaf_area;
+  float sin_elevation = max(dot(normal, to_eye), kSwardLowestSine);
+  vec3 sward = sward_radiance * grass.rgb / frame.mean_albedo;
   sward *= 0.86 + 0.28 * patchy;
 
   // Between blades: soil, and dead leaves in the sward's shade.
@@ -87,6 +78,9 @@ void main() {
   float lod_distance_m = length(from_lod_eye_m);
   vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(lod_distance_m, 1.0e-4);
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * lod_distance_m;
-  float cover = cover_left(optical_depth, dot(normal, to_lod_eye), pixel_m, lod_distance_m, to_eye, view.sin_elevation);
-  color = vec4(hazed(mix(floor_of_sward, tinted_tier(sward, kFlatTint), cover), haze_at(from_eye_m)), cover);
+  float cover = cover_left(optical_depth, dot(normal, to_lod_eye), pixel_m, lod_distance_m, to_eye, sin_elevation);
+  Haze haze;
+  haze.color = haze_color_and_share.rgb;
+  haze.share = haze_color_and_share.a;
+  color = vec4(hazed(mix(floor_of_sward, tinted_tier(sward, kFlatTint), cover), haze), cover);
 }

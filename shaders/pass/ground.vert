@@ -1,8 +1,14 @@
 #version 450 core
 // A vertex of the ground mesh. Positions are relative to an anchor, whole multiples of the finest quad in x and y, so that two
-// patches compute the vertices of their common edge alike, bit for bit.
+// patches compute the vertices of their common edge alike, bit for bit. What changes slowly over the ground (the sward's look
+// from here, haze) is found here rather than for every pixel.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
+vec4 table_texel(uint texel) { return vec4(0.0f); }
+#include "shaders/pass/kernels.glsl"
+#include "shaders/pass/haze.glsl"
+#include "shaders/pass/sward_look.glsl"
+#include "shaders/pass/flat_map.glsl"
 
 struct PatchParams {
   vec2 anchor_from_corner_m;
@@ -17,6 +23,9 @@ layout(location = 1) in vec3 normal;
 
 layout(location = 0) out vec3 from_eye_m;
 layout(location = 1) out vec3 ground_normal;
+layout(location = 2) out vec3 sward_radiance;  // of the mean albedo
+layout(location = 3) out float depth_per_leaf_area;  // optical depth along the line of sight
+layout(location = 4) out vec4 haze_color_and_share;
 
 void main() {
   uint per_patch = vertices_per_side * vertices_per_side;
@@ -27,6 +36,16 @@ void main() {
   vec3 anchored_m = vec3(patch_params.anchor_from_corner_m + node * patch_params.quad_m, height_m);
   from_eye_m = anchored_m + frame.ground_from_eye_m;
   ground_normal = normal;
+
+  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : normalize(-from_eye_m);
+  SwardView view = sward_view(normalize(normal), to_eye);
+  depth_per_leaf_area = sward_optical_depth(view, 1.0);
+  float leaf_area = leaf_area_of(textureLod(flat_map, flat_map_place(from_eye_m), log2(patch_params.quad_m / flat_texel_m())).a);
+  float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
+  sward_radiance = sward_color(kMix, view, leaf_area * depth_per_leaf_area, shade);
+  Haze haze = haze_at(from_eye_m);
+  haze_color_and_share = vec4(haze.color, haze.share);
+
   gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
   gl_Position.xy += frame.jitter * gl_Position.w;
 }
