@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kFescuePerM2 = 800.0;
 constexpr double kOatgrassPerM2 = 200.0;
-// On either ground a gentle slope, before it a valley and its far side: near and far grass in one view.
-constexpr glm::dvec2 kStartM{700.0, 300.0};
+// On either ground a slope with near and far grass in one view, and little enough of the field before the eye
+// that every blade of it can be drawn for comparison.
+constexpr glm::dvec2 kStartM{750.0, 560.0};
 constexpr double kYawDeg = 330.0;
 constexpr double kPitchDeg = -2.0;
 constexpr double kWalkMPerS = 1.4;
