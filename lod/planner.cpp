@@ -34,7 +34,7 @@ constexpr std::array<std::uint32_t, 5> kSegments = {7, 5, 3, 2, 1};
 // others are compared with: there, blades keep their shape at any distance.
 std::size_t segment_class(double blade_pixels, bool all) {
   constexpr std::size_t kShapely = 0;
-  constexpr std::array<double, 4> kLeastPixels = {200.0, 90.0, 36.0, 20.0};
+  constexpr std::array<double, 4> kLeastPixels = {400.0, 130.0, 44.0, 26.0};
   std::size_t n = 0;
   while (n < kLeastPixels.size() && blade_pixels < kLeastPixels[n]) ++n;
   return all ? std::min(n, kShapely) : n;
@@ -171,7 +171,8 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
         const auto add_roots_in = [&](const Box& roots) {
           const Box blades{roots.min_m - glm::dvec3(reach_m, reach_m, 0.0), roots.max_m + reach_m};
           if (!search.sees(blades)) return;
-          const double keep = static_cast<double>(kernels.blades_left(morph)) *
+          const double keep = static_cast<double>(kernels.blades_left(morph) *
+                                                  kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(planted))) *
                               keep_bound(plan.lod, lod_camera, {roots, heights_m, cell_m});
           const std::uint32_t drawn = drawn_bound(planted, keep);
           drawn_cell.drawn = drawn_cell.quarter == 0 ? drawn : drawn_in_quarter(drawn_cell.quarter, drawn);

@@ -26,7 +26,7 @@ Bands bands_of(Quality quality) {
     case Quality::kLow:
       return {3.0, 4.0, 9.0, 14.0};
     case Quality::kMedium:
-      return {3.6, 4.8, 12.0, 17.0};
+      return {3.4, 4.4, 12.0, 17.0};
     case Quality::kHigh:
       break;
   }
@@ -87,7 +87,7 @@ LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_dista
       lod.a1 = 0.25f, lod.a2 = 0.20f, lod.a3 = 0.030f;
       break;
     case Quality::kMedium:
-      lod.a1 = 0.15f, lod.a2 = 0.17f, lod.a3 = 0.013f;
+      lod.a1 = 0.20f, lod.a2 = 0.22f, lod.a3 = 0.017f;
       break;
     case Quality::kHigh:
       lod.a1 = 0.05f, lod.a2 = 0.05f, lod.a3 = 0.004f;
@@ -96,6 +96,7 @@ LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_dista
   lod.fade = 0.3f;
   lod.reference_pixel = kReferencePixel;
   lod.widest_pixels = 2.0f;
+  lod.crowded_per_m2 = 1000.0f;
   lod.grazing = 0.25f;
   lod.steep = 0.45f;
   // A finer picture shows more of a blade, and strips only look right where they are small.

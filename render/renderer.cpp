@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <glm/gtc/type_precision.hpp>
-#include <glm/mat3x3.hpp>
 #include <optional>
 
 #include "lod/planner.h"
@@ -16,6 +15,7 @@
 #include "render/noise_texture.h"
 #include "render/render_target.h"
 #include "render/shader_program.h"
+#include "render/sky_pass.h"
 #include "render/stream_buffer.h"
 #include "render/strip_painter.h"
 #include "render/strip_pass.h"
@@ -47,16 +47,19 @@ struct Renderer::Passes {
         sward(the_world.meadow()),
         blades(the_world, shader_folder),
         strips(shader_folder),
-        sky_program(make_program(shader_folder, {"pass/screen.vert", "pass/sky.frag"})),
+        sky(shader_folder),
         tone_program(make_program(shader_folder, {"pass/screen.vert", "pass/tone.frag"})),
         no_vertices(make_vertex_array()) {
-    const FrameParams light = frame_params(the_world, FramePlan{}, GroundLook{}, FieldLook{});
-    sward.set_light(light);
+    frame = frame_params(the_world, FramePlan{}, GroundLook{}, FieldLook{});
+    show_frame();
+    glBindTextureUnit(7, noise_texture.get());
+    sky.set_light();
+    sward.set_light(frame);
     ground.emplace(the_world, shader_folder, sward.blade_area_from_above_m2());
     sward.bind();
     strip_texture = StripPainter(the_world, shader_folder)
                         .paint(stream, blades, frame_params(the_world, FramePlan{}, GroundLook{}, sward.field()),
-                               sward.species());
+                               sward.species(), standing_share);
   }
 
   FramePlan plan(const Camera& camera, const FrameOptions& options, FrameStatistics& statistics) {
@@ -88,7 +91,7 @@ struct Renderer::Passes {
     show_frame();
     sward.bind();
     blades.prepare(stream, plan, sward.species());
-    strips.prepare(stream, plan, sward.species());
+    strips.prepare(stream, plan, sward.species(), standing_share);
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
     statistics.strip = {plan.blades_in_strips, strips.triangles()};
@@ -120,22 +123,11 @@ struct Renderer::Passes {
     ground->draw(plan, ground->anchor_m(plan.camera.eye_m));
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
-    const glm::mat3 scene_from_view = view_directions(plan.camera);
-    glUseProgram(sky_program.get());
-    glProgramUniformMatrix3fv(sky_program.get(), 0, 1, GL_FALSE, &scene_from_view[0][0]);
-    glBindVertexArray(no_vertices.get());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    sky.draw(plan.camera);
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
                            statistics.strip.triangles + statistics.flat.triangles;
-  }
-
-  static glm::mat3 view_directions(const Camera& camera) {
-    const double half = std::tan(0.5 * camera.fov_rad);
-    const double aspect = static_cast<double>(camera.size_px.x) / camera.size_px.y;
-    return {glm::vec3(camera.right() * half * aspect), glm::vec3(camera.up() * half),
-            glm::vec3(camera.forward())};
   }
 
   void tone_map(GLuint linear_texture, GLuint framebuffer, glm::ivec2 size_px) {
@@ -157,8 +149,9 @@ struct Renderer::Passes {
   StripPass strips;
   std::optional<GroundPass> ground;
   GlTexture strip_texture;
+  std::vector<float> standing_share;  // of the strips' texture, by species
   GlTexture noise_texture = make_noise_texture();
-  GlProgram sky_program;
+  SkyPass sky;
   GlProgram tone_program;
   GlVertexArray no_vertices;
   FrameParams frame{};

@@ -67,7 +67,8 @@ StripPainter::StripPainter(const World& world, const std::filesystem::path& shad
       program_(make_program(shader_folder, {"pass/strip_blade.vert", "pass/strip_blade.frag"})) {}
 
 GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const FrameParams& light,
-                              std::span<const SpeciesParams> species) {
+                              std::span<const SpeciesParams> species, std::vector<float>& standing_share) {
+  standing_share.assign(species.size(), 0.0f);
   const Meadow& meadow = world_->meadow();
   const int layers = kStripFacings * static_cast<int>(species.size());
   const int levels = std::bit_width(static_cast<unsigned>(kStripColumns));
@@ -130,6 +131,7 @@ GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const Fra
       drawing.rgba.resize(std::size_t{4} * kStripColumns * kStripRows);
       glGetTextureImage(color.get(), 0, GL_RGBA, GL_FLOAT,
                         static_cast<GLsizei>(drawing.rgba.size() * sizeof(float)), drawing.rgba.data());
+      standing_share[s] = std::max(standing_share[s], ::prairie::standing_share(drawing));
       const std::vector<StripLevel> drawn_levels = strip_levels(drawing);
       for (int level = 0; level < levels; ++level) {
         const StripLevel& drawn = drawn_levels[level];

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include "render/blade_pass.h"
 #include "render/gl_objects.h"
@@ -16,8 +18,9 @@ class StripPainter {
 
   /// An array texture of kStripFacings layers a species. `light`: a frame block of the scene; overwrites the bound one.
   /// The sward's tables must be bound.
+  /// `standing_share`: for each species, the share of the longest blade's length up to which blades stand.
   GlTexture paint(StreamBuffer& stream, BladePass& blades, const FrameParams& light,
-                  std::span<const SpeciesParams> species);
+                  std::span<const SpeciesParams> species, std::vector<float>& standing_share);
 
  private:
   const World* world_;

@@ -60,7 +60,8 @@ void StripPass::lay(const Run& run) {
   glDispatchCompute((columns + layouts::kPlantingGroup - 1) / layouts::kPlantingGroup, 1, 1);
 }
 
-void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species) {
+void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
+                        std::span<const float> standing_share) {
   const auto tiles = static_cast<std::uint32_t>(plan.strips.size());
   near_ = {0, plan.near_strips, kNearQuads, 0};
   far_ = {plan.near_strips, tiles - plan.near_strips, 1, plan.near_strips * kSides * columns_of(kNearQuads)};
@@ -68,6 +69,7 @@ void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
   if (tiles == 0) return;
   tiles_.show(stream, std::span<const StripTile>(plan.strips));
   species_.show(stream, species);
+  standing_.show(stream, standing_share);
   vertices_.reserve((far_.first_column + std::size_t{far_.tiles} * kSides * columns_of(1)) * 2 *
                     sizeof(StripVertex));
   glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(StripVertex));
@@ -75,6 +77,7 @@ void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
   glUseProgram(lay_program_.get());
   glBindTextureUnit(0, tiles_.texture());
+  glBindTextureUnit(1, standing_.texture());
   glBindTextureUnit(2, species_.texture());
   lay(near_);
   lay(far_);

@@ -17,7 +17,9 @@ class StripPass {
   explicit StripPass(const std::filesystem::path& shader_folder);
 
   /// Lays the plan's strips. The frame block and the sward's tables must be bound.
-  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species);
+  /// `standing_share`: how much of the texture's height each species fills.
+  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
+               std::span<const float> standing_share);
   /// Draws them with a texture of render/strip_texture.h.
   void draw(GLuint strip_texture);
 
@@ -41,6 +43,7 @@ class StripPass {
   GlBuffer far_indices_;
   TexelView tiles_{GL_RGBA32UI};
   TexelView species_{GL_RGBA32F};
+  TexelView standing_{GL_R32F};
   Run near_;
   Run far_;
   std::uint64_t triangles_ = 0;

@@ -100,11 +100,12 @@ StripLevel coarser_level(const StripLevel& fine) {
 }  // namespace
 
 float standing_share(const StripDrawing& drawing) {
+  constexpr std::size_t kFewest = 25;  // one texel in so many: what stands higher is not worth its empty fragments
   const auto texels = static_cast<std::size_t>(drawing.columns);
   for (std::size_t row = static_cast<std::size_t>(drawing.rows); row-- > 0;) {
-    for (std::size_t n = row * texels; n < (row + 1) * texels; ++n) {
-      if (drawing.rgba[4 * n + 3] < 1.0f) return static_cast<float>(row + 1) / static_cast<float>(drawing.rows);
-    }
+    std::size_t blades = 0;
+    for (std::size_t n = row * texels; n < (row + 1) * texels; ++n) blades += drawing.rgba[4 * n + 3] < 1.0f;
+    if (kFewest * blades > texels) return static_cast<float>(row + 1) / static_cast<float>(drawing.rows);
   }
   return 0.0f;
 }

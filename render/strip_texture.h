@@ -27,7 +27,7 @@ struct StripLevel {
   std::vector<std::uint8_t> rgba;  // rgb: radiance over its row's mean / kBrightest; a: rank, 255 = none
 };
 
-/// Share of the rows, from the foot, above which there is no blade.
+/// Share of the rows, from the foot, above which there is hardly a blade.
 float standing_share(const StripDrawing& drawing);
 
 /// All levels of a layer, finest first. A coarse texel takes the rank of one of its four, so that at every threshold

@@ -43,6 +43,12 @@ WarpedRoot plant_root(PlantedCell cell, uint index) {
   return warp_to_density(cell.density_table, cell.patches, sequence_point(index, cell.key.x));
 }
 
+// Mean density of all species in the cell.
+float mean_density_per_m2(PlantedCell cell) {
+  precise float own = float(int(cell.planted)) / (cell.side_m * cell.side_m);
+  return own + cell.other_density_per_m2;
+}
+
 // The place of a root, relative to the cell's south-west corner, metres.
 vec2 root_in_cell(PlantedCell cell, WarpedRoot root) {
   precise float x = root.patch_xy.x * cell.patch_m;

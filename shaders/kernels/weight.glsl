@@ -22,6 +22,12 @@ float keep_share(LodCoefficients lod, float n_dot_r, float pixel_m, float distan
   return result;
 }
 
+// B11's F bounds the number of blades on a piece of the screen, so a dense sward keeps a smaller share of its own.
+float crowded_share(LodCoefficients lod, float density_per_m2) {
+  if (lod.unthinned > 0.5f) return 1.0f;
+  return min(lod.crowded_per_m2 / max(density_per_m2, 1.0e-6f), 1.0f);
+}
+
 // How far a blade of rank q has grown, 0…1.
 float growth_of(LodCoefficients lod, float keep, float rank) {
   precise float growth = (keep - rank) / (lod.fade * keep + 1.0e-12f);

@@ -1,7 +1,7 @@
 #version 450 core
 // The flat tier (G03 §3.5): the floor between blades, and the sward's look from afar (render/sward_response.h) as far as the
-// tiers above do not show it: what blades and strips leave uncovered of the cover that all blades would have. Alpha holds that
-// cover.
+// tiers above do not show it: what blades and strips leave uncovered of the cover that all blades would have. Alpha holds
+// that cover.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 
@@ -18,6 +18,7 @@ layout(location = 1) in vec3 ground_normal;
 layout(location = 2) in vec3 sward_radiance;
 layout(location = 3) in float depth_per_leaf_area;
 layout(location = 4) in vec4 haze_color_and_share;
+layout(location = 5) in vec3 standing;
 layout(location = 0) out vec4 color;
 
 // The flat map over a pixel's long, narrow footprint, as over a square of the same area: neither does it flicker nor is it
@@ -30,24 +31,11 @@ vec4 flat_map_over_footprint(vec2 uv) {
   return textureLod(flat_map, uv, 0.25 * log2(max(dot(dx, dx) * dot(dy, dy), 1.0e-12)));
 }
 
-// The share of the line of sight's pixels that strips cover. Rows of them stand `frame.tile_m` apart both ways; where less than
-// one is met on the way through the sward, the ground is seen between them.
-float covered_by_strips(float optical_depth, float grown, vec3 to_eye, float sin_elevation) {
-  float level = sqrt(max(1.0 - sin_elevation * sin_elevation, 1.0e-6));
-  float rows_per_m = (abs(to_eye.x) + abs(to_eye.y)) / (level * frame.tile_m);
-  float rows = max(frame.strip_height_m * grown * rows_per_m * level / sin_elevation, 1.0e-4);
-  float met = min(rows, 1.0);
-  return met * (1.0 - exp(-grown * optical_depth / met));
-}
-
-// What the tiers above leave of `optical_depth`'s cover to the ground.
-float cover_left(float optical_depth, float n_dot_r, float pixel_m, float distance_m, vec3 to_eye, float sin_elevation) {
-  float morph = strip_morph(frame.lod, strip_band(frame.lod, distance_m), n_dot_r);
-  float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m);
-  float area = min(area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
-  float bare_of_blades = exp(-optical_depth * area * blades_left(morph));
-  float grown = strips_grown(morph) * (1.0 - sunk_share(frame.lod, distance_m));
-  float bare = bare_of_blades * (1.0 - covered_by_strips(optical_depth, grown, to_eye, sin_elevation));
+// What the tiers above leave of the sward's cover to the ground: `standing` holds the shares of the optical depth that blades
+// and strips have, and how many rows of strips the line of sight meets, at most 1 (shaders/pass/ground.vert).
+float cover_left(float optical_depth, vec3 standing) {
+  float covered_by_strips = standing.z * (1.0 - exp(-standing.y * optical_depth / standing.z));
+  float bare = exp(-optical_depth * standing.x) * (1.0 - covered_by_strips);
   return clamp(1.0 - exp(-optical_depth) / max(bare, 1.0e-6), 0.0, 1.0);
 }
 
@@ -61,9 +49,8 @@ void main() {
   float patchy = value_noise(place_m * 0.9);
 
   vec3 normal = normalize(ground_normal);
-  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m / max(distance_m, 1.0e-4);
-  float optical_depth = leaf_area_of(grass.a) * depth_per_leaf_area;
-  float sin_elevation = max(dot(normal, to_eye), kSwardLowestSine);
+  float leaf_area = leaf_area_of(grass.a);
+  float optical_depth = leaf_area * depth_per_leaf_area;
   vec3 sward = sward_radiance * grass.rgb / frame.mean_albedo;
   sward *= 0.86 + 0.28 * patchy;
 
@@ -74,11 +61,7 @@ void main() {
   vec3 litter = mix(grass.rgb, vec3(0.10, 0.085, 0.04), 0.3) * (0.55 + 0.9 * grain);
   vec3 floor_of_sward = mix(soil, litter * (frame.root_ambient * 1.3 + 0.035 * frame.sun_radiance), smooth_ramp(1.6 * grass.a));
 
-  vec3 from_lod_eye_m = from_eye_m - frame.lod_eye_m;
-  float lod_distance_m = length(from_lod_eye_m);
-  vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(lod_distance_m, 1.0e-4);
-  float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * lod_distance_m;
-  float cover = cover_left(optical_depth, dot(normal, to_lod_eye), pixel_m, lod_distance_m, to_eye, sin_elevation);
+  float cover = cover_left(optical_depth, standing);
   Haze haze;
   haze.color = haze_color_and_share.rgb;
   haze.share = haze_color_and_share.a;

@@ -50,7 +50,8 @@ void main() {
   vec3 to_lod_eye = frame.parallel > 0.5f ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-6f);
   float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
   vec3 normal = normalized(vec3(-ground.slope, 1.0f));
-  float keep = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m);
+  float keep = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m) *
+               crowded_share(frame.lod, mean_density_per_m2(cell));
   float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
   float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
 

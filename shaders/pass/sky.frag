@@ -1,38 +1,20 @@
 #version 450 core
-// The sky behind everything: a gradient from zenith to horizon, the sun's glow, a few clouds.
+// The sky behind everything: a gradient from zenith to horizon, the sun's glow, a few clouds (shaders/pass/sky_map.frag).
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
-vec4 table_texel(uint texel) { return vec4(0.0f); }
-#include "shaders/pass/kernels.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/value_noise.glsl"
 
+layout(binding = 0) uniform sampler2D sky_map;
 layout(location = 0) uniform mat3 scene_from_view;  // columns: right · aspect · tan, up · tan, forward
 layout(location = 0) in vec2 clip_xy;
 layout(location = 0) out vec4 color;
 
-// Fair-weather clouds on a plane high above, from five octaves of noise; thin ones let the sky through.
-float cloud_cover(vec2 place) {
-  float sum = 0.0;
-  float weight = 0.5;
-  for (int octave = 0; octave < 5; ++octave) {
-    sum += weight * value_noise(place);
-    place = mat2(1.6, 1.2, -1.2, 1.6) * place + 7.3;
-    weight *= 0.5;
-  }
-  return smooth_ramp((sum - 0.50) * 3.2);
-}
-
 void main() {
-  vec3 direction = normalize(scene_from_view * vec3(clip_xy, 1.0));
   if (frame.parallel > 0.5) {
     color = vec4(frame.horizon_radiance, 0.0);
     return;
   }
-  vec3 sky = sky_radiance(direction);
-  float up = max(direction.z, 0.0);
-  float clouds = cloud_cover(direction.xy / (up + 0.12) * vec2(1.1, 1.7) + 3.0) * smooth_ramp(up * 5.0 - 0.15);
-  float towards_sun = max(dot(direction, frame.sun_direction), 0.0);
-  vec3 lit = 1.15 * frame.horizon_radiance + frame.sun_radiance * (0.05 + 0.25 * pow(towards_sun, 6.0));
-  color = vec4(mix(sky, lit, 0.75 * clouds), 0.0);
+  vec3 direction = scene_from_view * vec3(clip_xy, 1.0);
+  direction.z = max(direction.z, 0.0);
+  direction *= inversesqrt(dot(direction, direction));
+  color = vec4(textureLod(sky_map, direction.xy / (1.0 + direction.z) * 0.5 + 0.5, 0.0).rgb, 0.0);
 }

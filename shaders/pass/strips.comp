@@ -16,6 +16,7 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/tint.glsl"
 
 layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
+layout(binding = 1) uniform samplerBuffer standing_texels;  // of the texture's height, by species
 layout(std430, binding = 4) writeonly buffer StripVertices { uvec4 vertices[]; };  // StripVertex
 layout(location = 0) uniform uint column_count;
 layout(location = 1) uniform uint first_tile;
@@ -67,7 +68,8 @@ void main() {
   vec4 west_m = uintBitsToFloat(texelFetch(tile_texels, first + 7));
   vec3 normal = normalized(vec3(south_m.x - east_m.x, south_m.x - west_m.x, side_m));
   float blade_height = uintBitsToFloat(b.y);
-  float height_m = species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
+  float standing = texelFetch(standing_texels, int(species_index)).x;
+  float height_m = standing * species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
   vec3 top_m = foot_m + vec3(0.0f, 0.0f, height_m * grown);
   uint foot_radiance = radiance_at(foot_m, normal, all_per_m2, blade_height, c.rgb, species_index);
   uint top_radiance = radiance_at(top_m, normal, all_per_m2, blade_height, c.rgb, species_index);
@@ -82,7 +84,7 @@ void main() {
 
   uint texel = 2u * uint(kStripVertexTexels) * (first_column + index);
   vertices[texel] = uvec4(floatBitsToUint(foot_m), foot_radiance);
-  vertices[texel + 1u] = uvec4(floatBitsToUint(vec3(along + shift, 1.0f - grown, layer)), packed_shown);
+  vertices[texel + 1u] = uvec4(floatBitsToUint(vec3(along + shift, standing * (1.0f - grown), layer)), packed_shown);
   vertices[texel + 2u] = uvec4(floatBitsToUint(top_m), top_radiance);
-  vertices[texel + 3u] = uvec4(floatBitsToUint(vec3(along + shift, 1.0f, layer)), packed_shown);
+  vertices[texel + 3u] = uvec4(floatBitsToUint(vec3(along + shift, standing, layer)), packed_shown);
 }

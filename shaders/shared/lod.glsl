@@ -16,5 +16,5 @@ struct LodCoefficients {
   float grazing;          // n·r up to which strips stand for blades,
   float steep;            // and from which on they never do
   float unthinned;        // 1: every blade is drawn as planted
-  float reserved_lod;     // fills the struct to a multiple of 16 bytes
+  float crowded_per_m2;   // of denser swards no more blades are drawn than of one of this density
 };
