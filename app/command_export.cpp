@@ -30,6 +30,7 @@ struct ExportOptions {
   std::optional<TileRange> tiles;
   std::vector<TileView> views{kTileViews.begin(), kTileViews.end()};
   std::vector<Tier> tiers{Tier::kAuto};
+  std::optional<glm::dvec3> lod_eye_m;
   glm::ivec2 size_px{512, 512};
   int samples = 1;
 };
@@ -84,6 +85,7 @@ ExportedFile export_shot(const Shot& shot, const Camera& camera, const ExportOpt
                          const GlobalOptions& globals, const World& world, Renderer& renderer) {
   FrameOptions frame;
   frame.tier = shot.tier;
+  frame.lod_eye_m = options.lod_eye_m;
   frame.memory_budget_bytes = globals.max_memory_bytes;
   const Picture picture = renderer.render(camera, frame, options.samples);
   const std::vector<std::byte> bytes = encoded_picture(picture, PictureFormat::kPng);
@@ -152,8 +154,13 @@ void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& ch
       ->type_name("VIEW,…");
   command
       ->add_option_function<std::string>(
+          "--lod-eye", [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
+          "Tiers are chosen for an eye there, in metres (each camera's)")
+      ->type_name("X,Y,Z");
+  command
+      ->add_option_function<std::string>(
           "--tiers", [options](const std::string& text) { options->tiers = tiers_option(text); },
-          "Some of auto, hermite, flat (auto)")
+          "Some of auto, spline, hermite, strip, flat (auto)")
       ->type_name("TIER,…");
   command
       ->add_option_function<std::string>(

@@ -24,6 +24,7 @@ struct RenderOptions {
   std::string camera = kDefaultCamera;
   glm::ivec2 size_px{1280, 720};
   Tier tier = Tier::kAuto;
+  std::optional<glm::dvec3> lod_eye_m;
   int samples = 1;
 };
 
@@ -38,6 +39,7 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   Renderer renderer(world, shader_folder());
   FrameOptions frame;
   frame.tier = options.tier;
+  frame.lod_eye_m = options.lod_eye_m;
   frame.memory_budget_bytes = globals.max_memory_bytes;
   const Picture picture = renderer.render(camera, frame, options.samples);
   write_output(options.output, encoded_picture(picture, format));
@@ -70,8 +72,13 @@ void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& ch
   command
       ->add_option_function<std::string>(
           "--tier", [options](const std::string& text) { options->tier = tier_option("--tier", text); },
-          "How grass is drawn: auto, hermite or flat (auto)")
+          "How grass is drawn: auto, spline, hermite, strip or flat (auto)")
       ->type_name("TIER");
+  command
+      ->add_option_function<std::string>(
+          "--lod-eye", [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
+          "Tiers are chosen for an eye there, in metres (the camera's)")
+      ->type_name("X,Y,Z");
   command
       ->add_option_function<std::string>(
           "--samples",

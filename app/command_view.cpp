@@ -48,7 +48,7 @@ void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       ->add_option_function<std::string>(
           "--tier",
           [options](const std::string& text) { options->viewer.tier = tier_option("--tier", text); },
-          "How grass is drawn: auto, hermite or flat (auto)")
+          "How grass is drawn: auto, spline, hermite, strip or flat (auto)")
       ->type_name("TIER");
   command->add_flag("--msaa", options->viewer.msaa, "Smooth edges with 4 samples per pixel");
   // For tests, and for whoever wants a picture of what the window shows.

@@ -129,6 +129,15 @@ TileRange tiles_option(const std::string& option, const std::string& text) {
   return {{std::min(i0, i1), std::min(j0, j1)}, {std::max(i0, i1), std::max(j0, j1)}};
 }
 
+glm::dvec3 place_option(const std::string& option, const std::string& text) {
+  constexpr double kFarthestM = 1e7;
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) throw UsageError(option, text, "three numbers x,y,z in metres");
+  glm::dvec3 place_m;
+  for (int axis = 0; axis < 3; ++axis) place_m[axis] = number_option(option, parts[axis], -kFarthestM, kFarthestM);
+  return place_m;
+}
+
 Tier tier_option(const std::string& option, const std::string& text) {
   std::vector<std::string> names;
   for (const auto& [tier, name] : kTierNames) names.emplace_back(name);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,9 @@ glm::ivec2 size_option(const std::string& option, const std::string& text);
 
 /// "i0,j0,i1,j1", both corners inclusive, in either order.
 TileRange tiles_option(const std::string& option, const std::string& text);
+
+/// "x,y,z", metres in the scene.
+glm::dvec3 place_option(const std::string& option, const std::string& text);
 
 Tier tier_option(const std::string& option, const std::string& text);
 std::string tier_name(Tier tier);

@@ -27,4 +27,7 @@ std::vector<Measurement> bench_scale_picture(const BenchOptions& options);
 /// Each tier, at the distance at which it gives way to the next, against the all-3D picture.
 std::vector<Measurement> bench_tier_pictures(const BenchOptions& options);
 
+/// How evenly the picture changes while tiles go through each band.
+std::vector<Measurement> bench_tier_borders(const BenchOptions& options);
+
 }  // namespace prairie

@@ -99,11 +99,8 @@ Picture drawn(Renderer& renderer, const Camera& camera, Tier tier) {
 std::vector<Measurement> bench_tier_pictures(const BenchOptions& options) {
   const HeadlessContext context(options.device);
   std::map<std::string, Disagreement> worst;
-  const char* only = std::getenv("ONLY");
   for (const View& view : views()) {
-    if (std::getenv("VIEW") && view.eye_height_m != std::stod(std::getenv("VIEW"))) continue;
     for (const TierScene& tier_scene : tier_scenes(view.extent_m)) {
-      if (only && tier_scene.name.find(only) == std::string::npos) continue;
       Scene scene = tier_scene.scene;
       scene.lod.blade_distance_m = 128.0;
       const World world(scene, {});

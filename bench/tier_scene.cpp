@@ -82,6 +82,7 @@ std::vector<TierScene> tier_scenes(glm::dvec2 extent_m) {
       for (const bool is_low_sun : {false, true}) {
         TierScene tier;
         tier.name = fmt::format("{} {} {}", kind.name, density_per_m2, is_low_sun ? "low sun ahead" : "high sun behind");
+        tier.is_middle = density_per_m2 == kind.densities_per_m2[1] && !is_low_sun;
         tier.scene.extent_m = extent_m;
         SpeciesSpec species;
         species.species = {kind.name, kind.params};

@@ -12,6 +12,7 @@ namespace prairie {
 struct TierScene {
   std::string name;
   Scene scene;
+  bool is_middle = false;  // of middle density, with the sun behind
 };
 
 /// `extent_m`: of the sward.

@@ -123,7 +123,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   for (const SeenTile& seen : search.tiles(most_tiles)) {
     const glm::dvec2 origin_m = tile_origin_m(*meadow_, seen.id);
     float morph = 0.0f;
-    if (!all && !camera.is_orthographic()) {
+    if (!all && (!camera.is_orthographic() || options.tier == Tier::kStrip)) {
       const glm::dvec2 centre_m = origin_m + 0.5 * meadow_->tile_m;
       const glm::dvec3 to_eye_m =
           plan.lod_eye_m - glm::dvec3(centre_m, static_cast<double>(meadow_->ground.height_m(centre_m)));

@@ -33,6 +33,9 @@ class Planner {
   /// Throws OverBudget where the tiles in view would need more memory than the budget, before it is spent.
   FramePlan plan(const Camera& camera, const PlanOptions& options);
 
+  /// Makes the next plan a first one.
+  void forget() { bands_.clear(); }
+
  private:
   float morph_of(const FramePlan& plan, std::uint64_t tile_key, float band, float n_dot_r);
 

@@ -1,5 +1,5 @@
 // The strips around a tile (G03 §3.4), ready for the renderer: ground along the sides, density and features.
-// Deviation: density and blade height follow the maps along a strip instead of being one number a tile.
+// Deviation: density follows the map along a strip instead of being one number a tile.
 #pragma once
 
 #include <vector>

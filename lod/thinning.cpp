@@ -104,7 +104,11 @@ LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_dista
   const Bands bands = bands_of(quality);
   set_band(lod.fade_start_m, lod.fade_end_m, kFadeStart * blade_distance_m, blade_distance_m);
   set_band(lod.spline_start_m, lod.spline_end_m, finer * bands.spline_start_m, finer * bands.spline_end_m);
-  set_band(lod.strip_start_m, lod.strip_end_m, finer * bands.strip_start_m, finer * bands.strip_end_m);
+  // Nearer than that, one sees between the rows of strips, however coarse the picture is.
+  constexpr double kLeastStripScale = 0.8;
+  const double strip_scale = std::max(finer, kLeastStripScale);
+  set_band(lod.strip_start_m, lod.strip_end_m, strip_scale * bands.strip_start_m,
+           strip_scale * bands.strip_end_m);
   switch (tier) {
     case Tier::kAuto:
       if (camera.is_orthographic()) {

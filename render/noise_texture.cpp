@@ -1,5 +1,6 @@
 #include "render/noise_texture.h"
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -14,9 +15,10 @@ GlTexture make_noise_texture() {
   for (std::uint32_t n = 0; n < kSide * kSide; ++n)
     texels.push_back(static_cast<std::uint8_t>(kernels.hash_u32(n + 1) >> 24));
   GlTexture texture = make_texture(GL_TEXTURE_2D);
-  glTextureStorage2D(texture.get(), 1, GL_R8, kSide, kSide);
+  glTextureStorage2D(texture.get(), std::bit_width(static_cast<unsigned>(kSide)), GL_R8, kSide, kSide);
   glTextureSubImage2D(texture.get(), 0, 0, 0, kSide, kSide, GL_RED, GL_UNSIGNED_BYTE, texels.data());
-  glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glGenerateTextureMipmap(texture.get());
+  glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_REPEAT);

@@ -181,6 +181,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
   Picture picture;
   picture.width = camera.size_px.x;
   picture.height = camera.size_px.y;
+  passes_->planner.forget();  // a picture depends on nothing that was drawn before
   const FramePlan plan = passes_->plan(camera, options, picture.statistics);
   const RenderTarget& frame = passes_->target_of(camera, options.msaa);
   const std::size_t values = std::size_t{4} * picture.width * picture.height;

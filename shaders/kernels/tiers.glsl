@@ -22,7 +22,7 @@ float hermite_share(LodCoefficients lod, float distance_m) {
   return smooth_ramp((distance_m - lod.spline_start_m) / (lod.spline_end_m - lod.spline_start_m));
 }
 
-// Blades have left a morphing tile before its strips are complete, and strips stand up before blades begin to leave.
+// Strips stand up before blades begin to leave, and are complete before the last have left.
 float blades_left(float morph) { return 1.0f - smooth_ramp(1.25f * morph - 0.25f); }
 float strips_grown(float morph) { return smooth_ramp(1.25f * morph); }
 

@@ -31,10 +31,13 @@ vec4 flat_map_over_footprint(vec2 uv) {
   return textureLod(flat_map, uv, 0.25 * log2(max(dot(dx, dx) * dot(dy, dy), 1.0e-12)));
 }
 
+// Strips of low or few blades leave gaps: what is seen there is not the floor but more grass.
+const float kSureOfStrips = 0.88;
+
 // What the tiers above leave of the sward's cover to the ground: `standing` holds the shares of the optical depth that blades
 // and strips have, and how many rows of strips the line of sight meets, at most 1 (shaders/pass/ground.vert).
 float cover_left(float optical_depth, vec3 standing) {
-  float covered_by_strips = standing.z * (1.0 - exp(-standing.y * optical_depth / standing.z));
+  float covered_by_strips = kSureOfStrips * standing.z * (1.0 - exp(-standing.y * optical_depth / standing.z));
   float bare = exp(-optical_depth * standing.x) * (1.0 - covered_by_strips);
   return clamp(1.0 - exp(-optical_depth) / max(bare, 1.0e-6), 0.0, 1.0);
 }
@@ -43,16 +46,14 @@ void main() {
   vec2 place_m = ground_place_m(from_eye_m);
   vec4 grass = flat_map_over_footprint(flat_map_place(from_eye_m));
 
-  float distance_m = length(from_eye_m);
-  float detail = frame.parallel > 0.5 ? 1.0 : saturate(1.5 - distance_m / 60.0);
-  float grain = mix(0.5, 0.65 * value_noise(place_m * 9.0) + 0.35 * value_noise(place_m * 37.0), detail);
-  float patchy = value_noise(place_m * 0.9);
+  float grain = 0.65 * filtered_noise(place_m * 9.0) + 0.35 * filtered_noise(place_m * 37.0);
+  float patchy = filtered_noise(place_m * 0.9);
 
   vec3 normal = normalize(ground_normal);
   float leaf_area = leaf_area_of(grass.a);
   float optical_depth = leaf_area * depth_per_leaf_area;
   vec3 sward = sward_radiance * grass.rgb / frame.mean_albedo;
-  sward *= 0.86 + 0.28 * patchy;
+  sward *= (0.8 + 0.4 * patchy) * (0.7 + 0.6 * grain);
 
   // Between blades: soil, and dead leaves in the sward's shade.
   float n_dot_l = dot(normal, frame.sun_direction);

@@ -9,7 +9,7 @@ struct StripTile {
   uint seed;              // shifts the texture along each side
   vec3 color;             // factor on the blades' colour
   float other_density_per_m2;  // mean density of the other species, per tile
-  vec4 density_per_m2;    // at the corners south-west, south-east, north-west, north-east
+  vec4 density_per_m2;    // means over the cells south-west, south-east, north-west, north-east
   vec4 south_m;           // heights of the ground above the tile's origin, at every quarter of each side but its end,
   vec4 east_m;            // counter-clockwise from the south-west corner
   vec4 north_m;

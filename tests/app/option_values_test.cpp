@@ -50,5 +50,12 @@ TEST(OptionValues, ErrorsAreOneLineThatNamesTheOption) {
   }
 }
 
+TEST(OptionValuesTest, PlacesAreThreeNumbers) {
+  EXPECT_EQ(place_option("--lod-eye", "1,-2.5,+3"), glm::dvec3(1.0, -2.5, 3.0));
+  for (const char* text : {"", "1,2", "1,2,3,4", "1,2,up", "1,2,nan"}) {
+    EXPECT_THROW(place_option("--lod-eye", text), UsageError) << text;
+  }
+}
+
 }  // namespace
 }  // namespace prairie

@@ -1,0 +1,87 @@
+// Whether borders between tiers can be seen: the camera stands still while the eye for which tiers are chosen walks away in
+// steps of 5 cm, so that a stretch of ground goes through the whole of a band.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "bench/benches.h"
+#include "bench/picture_metrics.h"
+#include "bench/tier_scene.h"
+#include "render/context.h"
+#include "render/renderer.h"
+
+namespace prairie {
+namespace {
+
+constexpr double kStepM = 0.05;
+constexpr int kBlockPx = 20;
+
+struct Border {
+  const char* key;
+  double eye_height_m;
+  double near_m, far_m;    // of the ground that is looked at
+  double from_m, to_m;     // how far the tiers' eye stands behind the camera
+  glm::dvec2 extent_m;
+};
+
+// Of quality medium; the stretch of ground lies before the band in the first frame and behind it in the last.
+constexpr Border kBorders[] = {{"spline", 1.7, 3.4, 5.0, -1.6, 1.2, {16.0, 30.0}},
+                               {"strip", 1.7, 9.0, 14.0, -2.0, 11.0, {32.0, 60.0}},
+                               {"flat", 12.0, 70.0, 90.0, 0.0, 60.0, {48.0, 160.0}}};
+
+double mean_cover(const Picture& picture, int top, int bottom) {
+  double sum = 0.0;
+  for (int n = top * picture.width; n < bottom * picture.width; ++n)
+    sum += static_cast<double>(picture.cover[static_cast<std::size_t>(n)]);
+  return sum / (static_cast<double>(bottom - top) * picture.width);
+}
+
+}  // namespace
+
+std::vector<Measurement> bench_tier_borders(const BenchOptions& options) {
+  const HeadlessContext context(options.device);
+  std::vector<Measurement> measurements;
+  for (const Border& border : kBorders) {
+    // One scene of each species, of middle density, with the sun behind.
+    StepEvenness worst;
+    worst.ratio = 0.0;
+    double cover_spread = 0.0;
+    for (const TierScene& tier_scene : tier_scenes(border.extent_m)) {
+      if (!tier_scene.is_middle) continue;
+      Scene scene = tier_scene.scene;
+      scene.lod.blade_distance_m = 128.0;
+      const World world(scene, {});
+      Renderer renderer(world, options.shader_folder);
+      const Camera camera = tier_camera(tier_scene, border.eye_height_m, {200, 400});
+      const int top = row_of_ground(camera, border.eye_height_m, border.far_m);
+      const int bottom = std::min(row_of_ground(camera, border.eye_height_m, border.near_m), camera.size_px.y);
+      std::vector<std::vector<double>> frames;
+      double least_cover = 1.0, most_cover = 0.0;
+      for (double behind_m = border.from_m; behind_m <= border.to_m; behind_m += kStepM) {
+        FrameOptions frame;
+        frame.lod_eye_m = camera.eye_m - glm::dvec3(0.0, behind_m, 0.0);
+        const Picture picture = renderer.render(camera, frame, 1);
+        frames.push_back(block_luminances({picture.width, picture.height, picture.linear_rgb}, kBlockPx));
+        const double cover = mean_cover(picture, top, bottom);
+        least_cover = std::min(least_cover, cover);
+        most_cover = std::max(most_cover, cover);
+      }
+      const StepEvenness steps = step_evenness(frames);
+      if (options.details) {
+        *options.details << fmt::format("{:<30} {:<8} step {:.4f} median {:.4f} ratio {:.2f} cover {:.3f}..{:.3f}\n",
+                                        tier_scene.name, border.key, steps.largest, steps.median, steps.ratio,
+                                        least_cover, most_cover);
+      }
+      worst.largest = std::max(worst.largest, steps.largest);
+      worst.ratio = std::max(worst.ratio, steps.ratio);
+      cover_spread = std::max(cover_spread, most_cover - least_cover);
+    }
+    measurements.push_back({fmt::format("picture.border_{}_step", border.key), worst.largest});
+    measurements.push_back({fmt::format("picture.border_{}_ratio", border.key), worst.ratio});
+    measurements.push_back({fmt::format("picture.border_{}_cover", border.key), cover_spread});
+  }
+  return measurements;
+}
+
+}  // namespace prairie
