@@ -60,6 +60,7 @@ std::vector<Measurement> bench_tier_borders(const BenchOptions& options) {
       double least_cover = 1.0, most_cover = 0.0;
       for (double behind_m = border.from_m; behind_m <= border.to_m; behind_m += kStepM) {
         FrameOptions frame;
+        frame.msaa = true;  // that thin blades do not flicker between pixels
         frame.lod_eye_m = camera.eye_m - glm::dvec3(0.0, behind_m, 0.0);
         const Picture picture = renderer.render(camera, frame, 1);
         frames.push_back(block_luminances({picture.width, picture.height, picture.linear_rgb}, kBlockPx));
