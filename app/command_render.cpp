@@ -25,6 +25,7 @@ struct RenderOptions {
   glm::ivec2 size_px{1280, 720};
   Tier tier = Tier::kAuto;
   std::optional<glm::dvec3> lod_eye_m;
+  bool tier_tint = false;
   int samples = 1;
 };
 
@@ -40,6 +41,7 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   FrameOptions frame;
   frame.tier = options.tier;
   frame.lod_eye_m = options.lod_eye_m;
+  frame.tier_tint = options.tier_tint;
   frame.memory_budget_bytes = globals.max_memory_bytes;
   const Picture picture = renderer.render(camera, frame, options.samples);
   write_output(options.output, encoded_picture(picture, format));
@@ -87,6 +89,8 @@ void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& ch
           },
           "Frames averaged per picture, for smooth edges (1)")
       ->type_name("N");
+  command->add_flag("--tint", options->tier_tint,
+                    "Colour tiers: spline blades red, Hermite blades yellow, strips green, flat blue");
   command->footer(
       "Examples:\n"
       "  prairie render examples/meadow -o meadow.png\n"
