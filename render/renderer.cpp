@@ -10,6 +10,7 @@
 #include "lod/planner.h"
 #include "render/blade_pass.h"
 #include "render/graphics_reset.h"
+#include "render/gpu_timer.h"
 #include "render/ground_pass.h"
 #include "render/light.h"
 #include "render/noise_texture.h"
@@ -37,6 +38,22 @@ glm::vec2 jitter_of(int sample, int samples, glm::ivec2 size_px) {
   const glm::dvec2 shift((sample + 0.5) / samples - 0.5, radical_inverse(sample, 2) + 0.5 / samples - 0.5);
   return glm::vec2(2.0 * shift / glm::dvec2(size_px));
 }
+
+}  // namespace
+
+namespace {
+
+struct StageTimers {
+  GpuTimer blades, strips, ground, sky;
+
+  std::vector<StageTime> finish_frame() {
+    for (GpuTimer* timer : {&blades, &strips, &ground, &sky}) timer->finish_frame();
+    return {{"blades", blades.last_ms()},
+            {"strips", strips.last_ms()},
+            {"ground", ground.last_ms()},
+            {"sky", sky.last_ms()}};
+  }
+};
 
 }  // namespace
 
@@ -91,7 +108,9 @@ struct Renderer::Passes {
     show_frame();
     sward.bind();
     blades.prepare(stream, plan, sward.species());
+    timers.strips.begin();
     strips.prepare(stream, plan, sward.species(), standing_share);
+    timers.strips.end();
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
     statistics.strip = {plan.blades_in_strips, strips.triangles()};
@@ -118,12 +137,20 @@ struct Renderer::Passes {
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     // Blades first: they hide most of the ground, whose fragments cost more.
+    timers.blades.begin();
     blades.draw(stream);
+    timers.blades.end();
+    timers.strips.begin();
     strips.draw(strip_texture.get());
+    timers.strips.end();
+    timers.ground.begin();
     ground->draw(plan, ground->anchor_m(plan.camera.eye_m));
+    timers.ground.end();
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
+    timers.sky.begin();
     sky.draw(plan.camera);
+    timers.sky.end();
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
@@ -143,6 +170,7 @@ struct Renderer::Passes {
 
   const World* world;
   Planner planner;
+  StageTimers timers;
   StreamBuffer stream{std::size_t{1} << 20};
   SwardTables sward;
   BladePass blades;
@@ -172,6 +200,7 @@ FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options
   frame.begin();
   passes_->draw(plan, glm::vec2(0.0f), statistics);
   passes_->tone_map(frame.resolved(), target, camera.size_px);
+  statistics.gpu_times = passes_->timers.finish_frame();
   check_context();
   return statistics;
 }
@@ -191,6 +220,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
   for (int sample = 0; sample < samples; ++sample) {
     frame.begin();
     passes_->draw(plan, jitter_of(sample, samples, camera.size_px), picture.statistics);
+    passes_->timers.finish_frame();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.resolved_framebuffer());
     glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, pixels.data());
     for (std::size_t n = 0; n < values; ++n) sum[n] += static_cast<double>(pixels[n]);
