@@ -1,0 +1,97 @@
+// The kernels of the tiers: shares, sliding feet, means of coarse meshes, packed radiance.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lod/thinning.h"
+#include "shaders/kernels/kernels.h"
+
+namespace prairie {
+namespace {
+
+TEST(TiersTest, SharesGoFromNoneToAllWithoutAStep) {
+  Kernels kernels;
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
+  float morph = 0.0f, sunk = 0.0f, hermite = 0.0f;
+  for (float distance_m = 0.0f; distance_m < 140.0f; distance_m += 0.05f) {
+    const float next_morph = kernels.strip_morph(lod, kernels.strip_band(lod, distance_m), 0.1f);
+    const float next_sunk = kernels.sunk_share(lod, distance_m);
+    const float next_hermite = kernels.hermite_share(lod, distance_m);
+    for (const auto& [before, after] :
+         {std::pair{morph, next_morph}, std::pair{sunk, next_sunk}, std::pair{hermite, next_hermite}}) {
+      ASSERT_GE(after, before) << distance_m;
+      ASSERT_LE(after - before, 0.08f) << distance_m;
+    }
+    morph = next_morph, sunk = next_sunk, hermite = next_hermite;
+  }
+  EXPECT_EQ(morph, 1.0f);
+  EXPECT_EQ(sunk, 1.0f);
+  EXPECT_EQ(hermite, 1.0f);
+  EXPECT_EQ(kernels.strip_morph(lod, 2.0f, 0.9f), 0.0f) << "no strips for those who look down";
+  EXPECT_EQ(kernels.blades_left(0.0f), 1.0f);
+  EXPECT_EQ(kernels.blades_left(1.0f), 0.0f);
+  EXPECT_EQ(kernels.strips_grown(0.0f), 0.0f);
+  EXPECT_EQ(kernels.strips_grown(1.0f), 1.0f);
+}
+
+TEST(TiersTest, FeetSlideToTheNearestEdge) {
+  Kernels kernels;
+  constexpr float kTileM = 4.0f;
+  for (float x = 0.05f; x < kTileM; x += 0.31f) {
+    for (float y = 0.02f; y < kTileM; y += 0.27f) {
+      const glm::vec2 end = kernels.slid_root({x, y}, kTileM, 1.0f);
+      const float to_edge = std::min({x, kTileM - x, y, kTileM - y});
+      EXPECT_NEAR(std::hypot(end.x - x, end.y - y), to_edge, 1e-5f);
+      EXPECT_NEAR(std::min({end.x, kTileM - end.x, end.y, kTileM - end.y}), 0.0f, 1e-5f);
+      EXPECT_EQ(kernels.slid_root({x, y}, kTileM, 0.0f), glm::vec2(x, y));
+    }
+  }
+}
+
+TEST(TiersTest, CoarseMeshesKeepAreaAndLight) {
+  Kernels kernels;
+  constexpr int kSteps = 20000;
+  double area = 0.0, light = 0.0;
+  for (int n = 0; n < kSteps; ++n) {
+    const float t = (static_cast<float>(n) + 0.5f) / kSteps;
+    area += static_cast<double>(kernels.blade_profile(t)) / kSteps;
+    light += static_cast<double>(kernels.power6(t)) / kSteps;
+  }
+  for (const int segments : {1, 2, 3, 5, 7}) {
+    const float h = 1.0f / static_cast<float>(segments);
+    double mesh_area = 0.0, mesh_light = 0.0;
+    for (int n = 0; n <= segments; ++n) {
+      const float t = static_cast<float>(n) * h;
+      const double weight = static_cast<double>(h) * (n == 0 || n == segments ? 0.5 : 1.0);
+      mesh_area += weight * static_cast<double>(kernels.mean_profile(t, h));
+      mesh_light += weight * static_cast<double>(kernels.mean_power6(t, h));
+    }
+    std::printf("%d segments: area %+.1f %%, light %+.3f of 1\n", segments, 100.0 * (mesh_area / area - 1.0),
+                mesh_light - light);
+    EXPECT_NEAR(mesh_area / area, 1.0, 0.03) << segments;
+    EXPECT_NEAR(mesh_light, light, 0.02) << segments;
+  }
+}
+
+TEST(TiersTest, RadianceSurvivesPacking) {
+  Kernels kernels;
+  for (float value = 1e-4f; value < 1000.0f; value *= 1.07f) {
+    const glm::vec3 radiance(value, 0.3f * value, 2.0f * value);
+    const glm::vec3 packed = kernels.unpack_radiance(kernels.pack_radiance(radiance));
+    EXPECT_NEAR(packed.x / radiance.x, 1.0f, 1.0f / 128.0f + 1e-5f);
+    EXPECT_NEAR(packed.y / std::max(radiance.y, 6.2e-5f), 1.0f, 1.0f / 128.0f + 1e-5f);
+    EXPECT_NEAR(packed.z / radiance.z, 1.0f, 1.0f / 64.0f + 1e-5f);
+  }
+}
+
+TEST(TiersTest, DenseSwardsKeepNoMoreBladesThanOthers) {
+  Kernels kernels;
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
+  EXPECT_EQ(kernels.crowded_share(lod, 100.0f), 1.0f);
+  EXPECT_FLOAT_EQ(10000.0f * kernels.crowded_share(lod, 10000.0f), 2000.0f * kernels.crowded_share(lod, 2000.0f));
+  EXPECT_EQ(kernels.crowded_share(tier_coefficients(Tier::kSpline, Quality::kLow, 1.0, Camera{}), 1e5f), 1.0f);
+}
+
+}  // namespace
+}  // namespace prairie
