@@ -42,7 +42,7 @@ const std::vector<View>& views() {
   static const std::vector<View> all = {
       {1.7,
        {256, 560},
-       {32.0, 60.0},
+       {16.0, 26.0},
        {{"spline", Tier::kAuto, 3.6, 4.4},
         {"hermite", Tier::kAuto, 5.5, 7.0},
         {"hermite", Tier::kAuto, 11.0, 14.0},

@@ -30,14 +30,14 @@ constexpr std::uint32_t kLeastInQuarters = 64;
 
 constexpr std::array<std::uint32_t, 5> kSegments = {7, 5, 3, 2, 1};
 
-// Segments that keep a bent blade smooth: about one for every twenty pixels of its length. The picture of all blades is what
-// others are compared with: there, blades keep their shape at any distance.
+// Which of kSegments suits a blade of so many pixels. The picture of all blades is what others are compared with: there,
+// blades have their full shape at any distance.
 std::size_t segment_class(double blade_pixels, bool all) {
-  constexpr std::size_t kShapely = 0;
+  if (all) return 0;
   constexpr std::array<double, 4> kLeastPixels = {400.0, 130.0, 44.0, 26.0};
   std::size_t n = 0;
   while (n < kLeastPixels.size() && blade_pixels < kLeastPixels[n]) ++n;
-  return all ? std::min(n, kShapely) : n;
+  return n;
 }
 
 // What a tile in view takes at most: four cells made ready, once more in the plan, and its strips.

@@ -1,6 +1,6 @@
-// Draws a world: takes a camera, has lod/ plan the frame, plants and poses the plan's blades in one compute
-// dispatch per batch, draws ground, blades and sky into a linear HDR target, and hands out pictures. Needs a
-// current OpenGL 4.5 core context, from a window or a HeadlessContext, that outlives it.
+// Draws a world: takes a camera, has lod/ plan the frame, has compute shaders grow the plan's blades (one dispatch
+// for each kind of mesh) and lay its strips, draws blades, strips, ground and sky into a linear HDR target, and hands
+// out pictures. Needs a current OpenGL 4.5 core context, from a window or a HeadlessContext, that outlives it.
 #pragma once
 
 #include <cstdint>

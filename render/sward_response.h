@@ -18,8 +18,7 @@
 //
 // Tufts need no correction: against planted blades, 100 to 2500 per m², seen ray by ray from 1° to 90°,
 // colour is off by 3.5 % at most and 1 % on average, cover by 0.012 (tests/render/sward_response_test.cpp).
-// Blades have 7 segments there. Those of 3 are lighter by up to 11 % in a dense sward, since light is linear
-// between vertices, and cover 0.03 less; those of 1, 35 % and 0.25.
+// Blades have 7 segments there; coarser meshes keep their area and light (shaders/kernels/blade_mesh.glsl).
 #pragma once
 
 #include <glm/vec3.hpp>

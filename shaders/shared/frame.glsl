@@ -11,7 +11,7 @@ struct FrameParams {
   vec3 top_ambient;          // Ia*
   float exposure;
   vec3 root_ambient;         // Ia**
-  float shade_density_per_m2;  // density at which self-shading has 63 % of its strength
+  float shade_density_per_m2;  // density at which self-shading has 56 % of its strength (shade_of)
   vec3 zenith_radiance;
   float sun_halo;            // exponent of the haze's glow around the sun
   vec3 horizon_radiance;
