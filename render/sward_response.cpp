@@ -20,10 +20,10 @@ constexpr int kAzimuths = SwardResponse::kAzimuths;
 constexpr int kDepths = SwardResponse::kDepths;
 
 // Coordinates of the tables. Elevations crowd at grazing angles, where the view changes fastest.
-constexpr double kLowestSine = 0.003;
+const double kLowestSine{kSwardLowestSine};
 // Optical depth τ lies at log(1 + τ), scaled so that the last node is the deepest: a fine step of colour for
 // each doubling, since the deeper a sward is, the higher and thinner is the layer of it that one sees.
-constexpr double kDeepest = 300.0;
+const double kDeepest{kSwardDeepest};
 constexpr double kThinnest = 1e-6;  // in place of 0, where weights would vanish
 
 double sine_at(int elevation) {

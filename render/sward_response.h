@@ -38,9 +38,9 @@ struct SwardLayer {
 
 /// Nodes are evenly spaced in the coordinates of `sward_place`, which says where each lies.
 struct SwardResponse {
-  static constexpr int kElevations = 16;
-  static constexpr int kAzimuths = 9;
-  static constexpr int kDepths = 12;
+  static constexpr int kElevations = layouts::kSwardElevations;
+  static constexpr int kAzimuths = layouts::kSwardAzimuths;
+  static constexpr int kDepths = layouts::kSwardDepths;
 
   /// [depth][azimuth][elevation], elevation fastest: a 3-D texture of that width, height and depth.
   struct Colors {
