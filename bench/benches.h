@@ -27,7 +27,12 @@ std::vector<Measurement> bench_scale_picture(const BenchOptions& options);
 /// Each tier, at the distance at which it gives way to the next, against the all-3D picture.
 std::vector<Measurement> bench_tier_pictures(const BenchOptions& options);
 
-/// How evenly the picture changes while tiles go through each band.
-std::vector<Measurement> bench_tier_borders(const BenchOptions& options);
+// How evenly the picture changes while tiles go through a band:
+/// from spline to Hermite blades,
+std::vector<Measurement> bench_spline_border(const BenchOptions& options);
+/// from blades to strips,
+std::vector<Measurement> bench_strip_border(const BenchOptions& options);
+/// from strips to the ground's texture.
+std::vector<Measurement> bench_flat_border(const BenchOptions& options);
 
 }  // namespace prairie

@@ -100,16 +100,23 @@ std::vector<double> block_luminances(const LinearImage& image, int block_px) {
 
 StepEvenness step_evenness(std::span<const std::vector<double>> frames) {
   assert(frames.size() >= 2);
+  StepEvenness evenness;
   std::vector<double> changes;
   for (std::size_t step = 1; step < frames.size(); ++step) {
     assert(frames[step].size() == frames[0].size());
     double change = 0.0;
     for (std::size_t block = 0; block < frames[step].size(); ++block) {
-      change = std::max(change, std::abs(frames[step][block] - frames[step - 1][block]));
+      const double own = std::abs(frames[step][block] - frames[step - 1][block]);
+      change = std::max(change, own);
+      if (own > evenness.largest) {
+        evenness.largest = own;
+        evenness.largest_frame = step;
+        evenness.largest_block = block;
+      }
     }
     changes.push_back(change);
   }
-  StepEvenness evenness{*std::max_element(changes.begin(), changes.end()), median_of(changes), 1.0};
+  evenness.median = median_of(changes);
   if (evenness.largest > 0.0) {
     evenness.ratio =
         evenness.median > 0.0 ? evenness.largest / evenness.median : std::numeric_limits<double>::infinity();

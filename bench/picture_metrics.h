@@ -43,6 +43,8 @@ struct StepEvenness {
   double largest = 0.0;
   double median = 0.0;
   double ratio = 1.0;  // largest / median; 1 if nothing ever changes, infinite if only few steps change
+  std::size_t largest_frame = 0;  // to which the largest step leads
+  std::size_t largest_block = 0;  // and the block that took it
 };
 
 /// `frames`: of each the block_luminances, of two or more frames of one size.

@@ -37,52 +37,55 @@ double mean_cover(const Picture& picture, int top, int bottom) {
   return sum / (static_cast<double>(bottom - top) * picture.width);
 }
 
+std::vector<Measurement> measure(const Border& border, const BenchOptions& options) {
+  const HeadlessContext context(options.device);
+  // One scene of each species, of middle density, with the sun behind.
+  StepEvenness worst;
+  worst.ratio = 0.0;
+  double cover_spread = 0.0;
+  for (const TierScene& tier_scene : tier_scenes(border.extent_m)) {
+    if (!tier_scene.is_middle) continue;
+    Scene scene = tier_scene.scene;
+    scene.lod.blade_distance_m = 128.0;
+    const World world(scene, {});
+    Renderer renderer(world, options.shader_folder);
+    const Camera camera = tier_camera(tier_scene, border.eye_height_m, {200, 400});
+    const int top = row_of_ground(camera, border.eye_height_m, border.far_m);
+    const int bottom = std::min(row_of_ground(camera, border.eye_height_m, border.near_m), camera.size_px.y);
+    std::vector<std::vector<double>> frames;
+    double least_cover = 1.0, most_cover = 0.0;
+    for (double behind_m = border.from_m; behind_m <= border.to_m; behind_m += kStepM) {
+      FrameOptions frame;
+      frame.msaa = true;  // that thin blades do not flicker between pixels
+      frame.lod_eye_m = camera.eye_m - glm::dvec3(0.0, behind_m, 0.0);
+      const Picture picture = renderer.render(camera, frame, 1);
+      frames.push_back(block_luminances({picture.width, picture.height, picture.linear_rgb}, kBlockPx));
+      const double cover = mean_cover(picture, top, bottom);
+      least_cover = std::min(least_cover, cover);
+      most_cover = std::max(most_cover, cover);
+    }
+    const StepEvenness steps = step_evenness(frames);
+    if (options.details) {
+      const auto blocks_wide = static_cast<std::size_t>(camera.size_px.x / kBlockPx);
+      *options.details << fmt::format(
+          "{:<30} {:<8} step {:.4f} (to {:.2f} m, block {}, {}) median {:.4f} ratio {:.2f} cover {:.3f}..{:.3f}\n",
+          tier_scene.name, border.key, steps.largest,
+          border.from_m + kStepM * static_cast<double>(steps.largest_frame), steps.largest_block % blocks_wide,
+          steps.largest_block / blocks_wide, steps.median, steps.ratio, least_cover, most_cover);
+    }
+    worst.largest = std::max(worst.largest, steps.largest);
+    worst.ratio = std::max(worst.ratio, steps.ratio);
+    cover_spread = std::max(cover_spread, most_cover - least_cover);
+  }
+  return {{fmt::format("picture.border_{}_step", border.key), worst.largest},
+          {fmt::format("picture.border_{}_ratio", border.key), worst.ratio},
+          {fmt::format("picture.border_{}_cover", border.key), cover_spread}};
+}
+
 }  // namespace
 
-std::vector<Measurement> bench_tier_borders(const BenchOptions& options) {
-  const HeadlessContext context(options.device);
-  std::vector<Measurement> measurements;
-  for (const Border& border : kBorders) {
-    // One scene of each species, of middle density, with the sun behind.
-    StepEvenness worst;
-    worst.ratio = 0.0;
-    double cover_spread = 0.0;
-    for (const TierScene& tier_scene : tier_scenes(border.extent_m)) {
-      if (!tier_scene.is_middle) continue;
-      Scene scene = tier_scene.scene;
-      scene.lod.blade_distance_m = 128.0;
-      const World world(scene, {});
-      Renderer renderer(world, options.shader_folder);
-      const Camera camera = tier_camera(tier_scene, border.eye_height_m, {200, 400});
-      const int top = row_of_ground(camera, border.eye_height_m, border.far_m);
-      const int bottom = std::min(row_of_ground(camera, border.eye_height_m, border.near_m), camera.size_px.y);
-      std::vector<std::vector<double>> frames;
-      double least_cover = 1.0, most_cover = 0.0;
-      for (double behind_m = border.from_m; behind_m <= border.to_m; behind_m += kStepM) {
-        FrameOptions frame;
-        frame.msaa = true;  // that thin blades do not flicker between pixels
-        frame.lod_eye_m = camera.eye_m - glm::dvec3(0.0, behind_m, 0.0);
-        const Picture picture = renderer.render(camera, frame, 1);
-        frames.push_back(block_luminances({picture.width, picture.height, picture.linear_rgb}, kBlockPx));
-        const double cover = mean_cover(picture, top, bottom);
-        least_cover = std::min(least_cover, cover);
-        most_cover = std::max(most_cover, cover);
-      }
-      const StepEvenness steps = step_evenness(frames);
-      if (options.details) {
-        *options.details << fmt::format("{:<30} {:<8} step {:.4f} median {:.4f} ratio {:.2f} cover {:.3f}..{:.3f}\n",
-                                        tier_scene.name, border.key, steps.largest, steps.median, steps.ratio,
-                                        least_cover, most_cover);
-      }
-      worst.largest = std::max(worst.largest, steps.largest);
-      worst.ratio = std::max(worst.ratio, steps.ratio);
-      cover_spread = std::max(cover_spread, most_cover - least_cover);
-    }
-    measurements.push_back({fmt::format("picture.border_{}_step", border.key), worst.largest});
-    measurements.push_back({fmt::format("picture.border_{}_ratio", border.key), worst.ratio});
-    measurements.push_back({fmt::format("picture.border_{}_cover", border.key), cover_spread});
-  }
-  return measurements;
-}
+std::vector<Measurement> bench_spline_border(const BenchOptions& options) { return measure(kBorders[0], options); }
+std::vector<Measurement> bench_strip_border(const BenchOptions& options) { return measure(kBorders[1], options); }
+std::vector<Measurement> bench_flat_border(const BenchOptions& options) { return measure(kBorders[2], options); }
 
 }  // namespace prairie

@@ -28,16 +28,16 @@ constexpr double kNearStripSides = 10.0;
 constexpr double kQuartersFarM = 12.0;
 constexpr std::uint32_t kLeastInQuarters = 64;
 
-constexpr std::array<std::uint32_t, 5> kSegments = {7, 5, 3, 2, 1};
+constexpr std::array<std::uint32_t, 4> kSegments = {8, 4, 2, 1};
 
 // Which of kSegments suits a blade of so many pixels. The picture of all blades is what others are compared with: there,
 // blades have their full shape at any distance.
 std::size_t segment_class(double blade_pixels, bool all) {
   if (all) return 0;
-  constexpr std::array<double, 4> kLeastPixels = {400.0, 130.0, 44.0, 26.0};
-  std::size_t n = 0;
-  while (n < kLeastPixels.size() && blade_pixels < kLeastPixels[n]) ++n;
-  return n;
+  Kernels kernels;
+  return static_cast<std::size_t>(std::ranges::find_if(kSegments, [&](std::uint32_t segments) {
+    return static_cast<float>(blade_pixels) >= kernels.least_pixels(static_cast<int>(segments));
+  }) - kSegments.begin());
 }
 
 // What a tile in view takes at most: four cells made ready, once more in the plan, and its strips.

@@ -9,8 +9,10 @@
 namespace prairie {
 namespace {
 
-// Blades whose indices lie ready; more are drawn by shifting the base vertex.
-constexpr std::uint32_t kIndexedBlades = 4000;
+// Blades whose indices lie ready, of 16 bits; more are drawn by shifting the base vertex.
+constexpr std::uint32_t kIndexedBlades = 3600;
+constexpr std::uint32_t kMostSegments = 8;
+static_assert(kIndexedBlades * (2 * kMostSegments + 2) <= 65536);
 
 std::uint32_t vertices_of(std::uint32_t segments) {
   return 2 * segments + 2;

@@ -25,3 +25,21 @@ float mean_power6(float t, float h) {
   vec2 places = places_around(t, h);
   return mean_around(t, power6(places.x), power6(t), power6(places.y));
 }
+
+// Meshes have 8, 4, 2 or 1 segments, each the one before without its odd vertices, so that one can take the shape of the next
+// before the next takes its place. A mesh serves blades of so many pixels or more.
+float least_pixels(int segments) { return segments >= 8 ? 200.0f : (segments >= 4 ? 60.0f : (segments >= 2 ? 26.0f : 0.0f)); }
+
+// How far a blade's mesh has taken the shape of the mesh with half as many segments, 0…1.
+float coarser_share(LodCoefficients lod, int segments, float blade_pixels) {
+  if (segments <= 1 || lod.unthinned > 0.5f) return 0.0f;
+  return 1.0f - smooth_ramp(2.5f * (blade_pixels / least_pixels(segments) - 1.0f));
+}
+
+// mean_profile and mean_power6 of a vertex that both meshes have.
+float blended_profile(float t, float h, float coarser) {
+  return lerp(mean_profile(t, h), mean_profile(t, min(2.0f * h, 1.0f)), coarser);
+}
+float blended_power6(float t, float h, float coarser) {
+  return lerp(mean_power6(t, h), mean_power6(t, min(2.0f * h, 1.0f)), coarser);
+}

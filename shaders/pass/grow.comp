@@ -31,6 +31,49 @@ vec3 midrib_derivative(BladeCurve curve, float t) {
 }
 #endif
 
+// Across the blade at one place, left and right.
+struct Rib {
+  vec3 left_m, right_m;
+  vec3 left, right;  // radiance
+};
+
+Rib between(Rib a, Rib b) {
+  return Rib(0.5f * (a.left_m + b.left_m), 0.5f * (a.right_m + b.right_m), 0.5f * (a.left + b.left), 0.5f * (a.right + b.right));
+}
+
+Rib mixed(Rib a, Rib b, float t) {
+  return Rib(mixed(a.left_m, b.left_m, t), mixed(a.right_m, b.right_m, t), mixed(a.left, b.left, t), mixed(a.right, b.right, t));
+}
+
+void store(uint vertex, Rib rib, Haze haze) {
+  vertices[vertex] = uvec4(floatBitsToUint(rib.left_m), pack_radiance(hazed(rib.left, haze)));
+  vertices[vertex + 1u] = uvec4(floatBitsToUint(rib.right_m), pack_radiance(hazed(rib.right, haze)));
+}
+
+struct GrownBlade {
+  Midrib midrib;
+  vec3 eye_from_tile_m, to_eye;
+  float width_m;
+  vec3 root_color, tip_color, transmission;
+  float specular, shade, ground_n_dot_v;
+  vec3 mean_radiance;
+  float own_share;
+};
+
+// `profile`, `l6`: width there as a share of the widest place, and l⁶ (shaders/kernels/blade_mesh.glsl).
+Rib rib_at(GrownBlade blade, float t, float profile, float l6) {
+  vec3 centre_m = blade.eye_from_tile_m + midrib_point(blade.midrib, t);
+  BladeSurface surface = blade_surface(midrib_derivative(blade.midrib, t), blade.midrib.side, blade.to_eye);
+  vec3 half_width_m = surface.side * (0.5f * blade.width_m * profile);
+  vec3 albedo = mixed(blade.root_color, blade.tip_color, t);
+  vec3 left = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, t, l6, blade.shade,
+                                    inner(surface.left, frame.sun_direction), blade.ground_n_dot_v);
+  vec3 right = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, t, l6, blade.shade,
+                                     inner(surface.right, frame.sun_direction), blade.ground_n_dot_v);
+  return Rib(centre_m - half_width_m, centre_m + half_width_m, tier_tinted(mixed(blade.mean_radiance, left, blade.own_share)),
+             tier_tinted(mixed(blade.mean_radiance, right, blade.own_share)));
+}
+
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= blade_count) return;
@@ -84,24 +127,25 @@ void main() {
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
   vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
 
+  GrownBlade grown = GrownBlade(midrib, drawn.eye_from_tile_m, to_eye, width_m, root_color, tip_color, species.transmission,
+                                species.specular, shade, ground_n_dot_v, mean_radiance, own_share);
+
+  // Every other rib is also one of the coarser mesh; those between them move to the middle of their neighbours.
   Haze haze = haze_at(root_m);
-  float segment = 1.0f / float(int(segments));
-  uint vertex = first_vertex + index * (2u * segments + 2u);
-  for (uint n = 0u; n <= segments; ++n) {
-    float t = float(int(n)) * segment;
-    vec3 centre_m = drawn.eye_from_tile_m + midrib_point(midrib, t);
-    BladeSurface surface = blade_surface(midrib_derivative(midrib, t), midrib.side, to_eye);
-    vec3 half_width_m = surface.side * (0.5f * width_m * mean_profile(t, segment));
-    vec3 albedo = mixed(root_color, tip_color, t);
-    float l6 = mean_power6(t, segment);
-    vec3 left = blade_radiance_around(frame, albedo, species.transmission, species.specular, t, l6, shade,
-                                      inner(surface.left, frame.sun_direction), ground_n_dot_v);
-    vec3 right = blade_radiance_around(frame, albedo, species.transmission, species.specular, t, l6, shade,
-                                       inner(surface.right, frame.sun_direction), ground_n_dot_v);
-    left = hazed(tier_tinted(mixed(mean_radiance, left, own_share)), haze);
-    right = hazed(tier_tinted(mixed(mean_radiance, right, own_share)), haze);
-    vertices[vertex] = uvec4(floatBitsToUint(centre_m - half_width_m), pack_radiance(left));
-    vertices[vertex + 1u] = uvec4(floatBitsToUint(centre_m + half_width_m), pack_radiance(right));
-    vertex += 2u;
+  float h = 1.0f / float(int(segments));
+  float coarser = coarser_share(frame.lod, int(segments), species.height_m / pixel_m);
+  uint first = first_vertex + index * (2u * segments + 2u);
+  uint step = min(segments, 2u);
+  Rib last;
+  for (uint n = 0u; n <= segments; n += step) {
+    float t = float(int(n)) * h;
+    Rib rib = rib_at(grown, t, blended_profile(t, h, coarser), blended_power6(t, h, coarser));
+    store(first + 2u * n, rib, haze);
+    if (n > 0u && step == 2u) {
+      float t_between = t - h;
+      Rib own = rib_at(grown, t_between, mean_profile(t_between, h), mean_power6(t_between, h));
+      store(first + 2u * n - 2u, mixed(own, between(last, rib), coarser), haze);
+    }
+    last = rib;
   }
 }

@@ -58,7 +58,7 @@ TEST(TiersTest, CoarseMeshesKeepAreaAndLight) {
     area += static_cast<double>(kernels.blade_profile(t)) / kSteps;
     light += static_cast<double>(kernels.power6(t)) / kSteps;
   }
-  for (const int segments : {1, 2, 3, 5, 7}) {
+  for (const int segments : {1, 2, 4, 8}) {
     const float h = 1.0f / static_cast<float>(segments);
     double mesh_area = 0.0, mesh_light = 0.0;
     for (int n = 0; n <= segments; ++n) {
