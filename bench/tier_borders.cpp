@@ -21,14 +21,23 @@ struct Border {
   const char* key;
   double eye_height_m;
   double near_m, far_m;    // of the ground that is looked at
-  double from_m, to_m;     // how far the tiers' eye stands behind the camera
+  double from_m, to_m;   // how far the tiers' eye stands behind the camera
   glm::dvec2 extent_m;
 };
 
-// Of quality medium; the stretch of ground lies before the band in the first frame and behind it in the last.
-constexpr Border kBorders[] = {{"spline", 1.7, 3.4, 5.0, -1.6, 1.2, {16.0, 30.0}},
-                               {"strip", 1.7, 9.0, 14.0, -2.0, 11.0, {32.0, 60.0}},
-                               {"flat", 12.0, 70.0, 90.0, 0.0, 60.0, {48.0, 160.0}}};
+// Of quality medium; each stretch of ground lies before the band in the first frame and behind it in the last, with all the
+// tiles (of 4 m) or quarters of cells (1 m) that it touches.
+constexpr Border kBorders[] = {{"spline", 1.7, 3.4, 4.4, -1.5, 1.5, {16.0, 30.0}},
+                               {"strip", 1.7, 12.0, 17.0, -7.0, 7.0, {32.0, 60.0}},
+                               {"flat", 12.0, 96.0, 128.0, -34.0, 34.0, {48.0, 200.0}}};
+
+// From the horizon down to a little before the stretch of ground: the tiers' eye does not walk through the picture.
+Camera camera_of(const Border& border, const TierScene& scene) {
+  constexpr int kWidthPx = 200;
+  const Camera wide = tier_camera(scene, border.eye_height_m, {kWidthPx, kWidthPx});
+  const int below_horizon = row_of_ground(wide, border.eye_height_m, 0.8 * border.near_m) - kWidthPx / 2;
+  return tier_camera(scene, border.eye_height_m, {kWidthPx, 2 * below_horizon});
+}
 
 double mean_cover(const Picture& picture, int top, int bottom) {
   double sum = 0.0;
@@ -49,7 +58,7 @@ std::vector<Measurement> measure(const Border& border, const BenchOptions& optio
     scene.lod.blade_distance_m = 128.0;
     const World world(scene, {});
     Renderer renderer(world, options.shader_folder);
-    const Camera camera = tier_camera(tier_scene, border.eye_height_m, {200, 400});
+    const Camera camera = camera_of(border, tier_scene);
     const int top = row_of_ground(camera, border.eye_height_m, border.far_m);
     const int bottom = std::min(row_of_ground(camera, border.eye_height_m, border.near_m), camera.size_px.y);
     std::vector<std::vector<double>> frames;

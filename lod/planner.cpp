@@ -131,9 +131,9 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
       const float n_dot_r = glm::dot(meadow_->ground.normal(centre_m), glm::vec3(to_eye_m / distance_m));
       const float band = kernels.strip_band(plan.lod, static_cast<float>(distance_m));
       morph = morph_of(plan, key_of(seen.id), band, n_dot_r);
-      const float grown = kernels.strips_grown(morph) *
-                          (1.0f - kernels.sunk_share(plan.lod, static_cast<float>(distance_m)));
-      if (grown > 0.0f) {
+      const float grown = kernels.strips_grown(morph);
+      const double nearest_m = std::max(distance_m - meadow_->tile_m, 0.0);
+      if (grown > 0.0f && kernels.sunk_share(plan.lod, static_cast<float>(nearest_m)) < 1.0f) {
         const TileDensity density = tile_density(*meadow_, seen.id);
         const bool is_near = seen.distance_m < kNearStripSides * meadow_->tile_m;
         append_strips(*meadow_, seen.id, density, camera.eye_m, grown, is_near ? plan.strips : far_strips);
@@ -173,7 +173,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
           if (!search.sees(blades)) return;
           const double keep = static_cast<double>(kernels.blades_left(morph) *
                                                   kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(planted))) *
-                              keep_bound(plan.lod, lod_camera, {roots, heights_m, cell_m});
+                              keep_bound(plan.lod, lod_camera, {roots, heights_m, cell_m}, params.width_m);
           const std::uint32_t drawn = drawn_bound(planted, keep);
           drawn_cell.drawn = drawn_cell.quarter == 0 ? drawn : drawn_in_quarter(drawn_cell.quarter, drawn);
           if (drawn_cell.drawn == 0) return;

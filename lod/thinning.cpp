@@ -144,7 +144,7 @@ HeightRange ground_range(std::span<const float> heights_m) {
   return {static_cast<float>(*low), static_cast<float>(*high)};
 }
 
-double keep_bound(const LodCoefficients& lod, const Camera& camera, const CellView& cell) {
+double keep_bound(const LodCoefficients& lod, const Camera& camera, const CellView& cell, float width_m) {
   const glm::dvec3 centre_m = 0.5 * (cell.box.min_m + cell.box.max_m);
   const double radius_m = 0.5 * glm::length(cell.box.max_m - cell.box.min_m);
   const double nearest_m = std::max(nearest_distance_m(cell.box, camera.eye_m), 1e-3);
@@ -166,7 +166,7 @@ double keep_bound(const LodCoefficients& lod, const Camera& camera, const CellVi
   const auto keep_at = [&](double x) {
     return static_cast<double>(kernels.keep_share(lod, static_cast<float>(x),
                                                   static_cast<float>(camera.pixel_m_at(nearest_m)),
-                                                  static_cast<float>(nearest_m)));
+                                                  static_cast<float>(nearest_m), width_m));
   };
   return 1.0001 * std::max(keep_at(n_dot_r - spread), keep_at(n_dot_r + spread));
 }

@@ -29,8 +29,8 @@ struct CellView {
   double side_m;
 };
 
-/// An upper bound of keep_share over the cell.
-double keep_bound(const LodCoefficients& lod, const Camera& camera, const CellView& cell);
+/// An upper bound of keep_share over the cell, for blades of a mean width.
+double keep_bound(const LodCoefficients& lod, const Camera& camera, const CellView& cell, float width_m);
 
 /// How many blades of the cell can be drawn: those whose rank (k + ξ)/N is below the bound.
 std::uint32_t drawn_bound(const PlantedCell& cell, double keep);

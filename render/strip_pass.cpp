@@ -47,7 +47,7 @@ StripPass::StripPass(const std::filesystem::path& shader_folder)
   attribute(0, 3, GL_FLOAT, GL_FALSE, offsetof(StripVertex, position_m));
   attribute(1, 3, GL_UNSIGNED_INT_10F_11F_11F_REV, GL_FALSE, offsetof(StripVertex, radiance));
   attribute(2, 3, GL_FLOAT, GL_FALSE, offsetof(StripVertex, place));
-  attribute(3, 2, GL_UNSIGNED_SHORT, GL_TRUE, offsetof(StripVertex, shown_and_contrast));
+  attribute(3, 1, GL_FLOAT, GL_FALSE, offsetof(StripVertex, shown));
 }
 
 void StripPass::lay(const Run& run) {

@@ -43,3 +43,41 @@ float blended_profile(float t, float h, float coarser) {
 float blended_power6(float t, float h, float coarser) {
   return lerp(mean_power6(t, h), mean_power6(t, min(2.0f * h, 1.0f)), coarser);
 }
+
+// A bent blade as one sees it, across the line of sight: its area and those of its chords, for a width of one.
+struct SeenAreas {
+  float blade;
+  float four;  // chords
+  float two;
+  float one;
+};
+
+float length_across(vec3 v, vec3 to_eye) {
+  vec3 turned_v = outer(v, to_eye);
+  return sqrt(inner(turned_v, turned_v));
+}
+
+// From the blade's points at quarters of its length. What chords fall short by falls with the square of their number.
+SeenAreas seen_areas(vec3 p0, vec3 p1, vec3 p2, vec3 p3, vec3 p4, vec3 to_eye) {
+  float w1 = blade_profile(0.125f);
+  float w2 = blade_profile(0.375f);
+  float w3 = blade_profile(0.625f);
+  float w4 = blade_profile(0.875f);
+  SeenAreas seen;
+  seen.four = w1 * length_across(p1 - p0, to_eye) + w2 * length_across(p2 - p1, to_eye) + w3 * length_across(p3 - p2, to_eye) + w4 * length_across(p4 - p3, to_eye);
+  seen.two = 0.5f * ((w1 + w2) * length_across(p2 - p0, to_eye) + (w3 + w4) * length_across(p4 - p2, to_eye));
+  seen.one = 0.25f * (w1 + w2 + w3 + w4) * length_across(p4 - p0, to_eye);
+  seen.blade = seen.four + (seen.four - seen.two) / 3.0f;
+  return seen;
+}
+
+float chords_seen(SeenAreas seen, int segments) {
+  return segments >= 8 ? lerp(seen.blade, seen.four, 0.25f) : (segments >= 4 ? seen.four : (segments >= 2 ? seen.two : seen.one));
+}
+
+// By what a mesh must be wider than the blade for both to cover the same.
+float wider_for_chords(SeenAreas seen, int segments, float coarser) {
+  float own = chords_seen(seen, segments);
+  float next = chords_seen(seen, max(segments / 2, 1));
+  return min(seen.blade / max(lerp(own, next, coarser), 1.0e-6f), 2.0f);
+}

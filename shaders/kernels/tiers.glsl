@@ -9,10 +9,11 @@ float strip_band(LodCoefficients lod, float distance_m) {
 // How far a tile has morphed from 3D blades (0) to strips (1). `n_dot_r`: of its ground's normal and the direction to the eye.
 float strip_morph(LodCoefficients lod, float band, float n_dot_r) {
   float grazing = 1.0f - smooth_ramp((n_dot_r - lod.grazing) / (lod.steep - lod.grazing));
-  return smooth_ramp(band) * grazing;
+  return saturate(band) * grazing;
 }
 
-// How far grass has sunk into the flat tier.
+// How far grass has sunk into the flat tier. Deviation: strips thin out, blade by blade, rather than sink; where they end they
+// are two or three pixels high, and sinking exchanged a whole row of a strip's pixels at once.
 float sunk_share(LodCoefficients lod, float distance_m) {
   return smooth_ramp((distance_m - lod.fade_start_m) / (lod.fade_end_m - lod.fade_start_m));
 }
@@ -27,7 +28,7 @@ float blades_left(float morph) { return 1.0f - smooth_ramp(1.25f * morph - 0.25f
 float strips_grown(float morph) { return smooth_ramp(1.25f * morph); }
 
 // How far the feet of a tile's blades have slid to its nearest edge.
-float feet_slid(float morph) { return morph; }
+float feet_slid(float morph) { return smooth_ramp(morph); }
 
 // A foot that slides to the nearest edge of its tile. `root_m`: relative to the tile's south-west corner.
 vec2 slid_root(vec2 root_m, float tile_m, float morph) {

@@ -13,12 +13,29 @@ float visible_size(float n_dot_r) {
   return result;
 }
 
-// 1 − F before it is clamped to 1. `pixel_m`: height of a pixel at the blade; `distance_m`: from the eye.
-float keep_share(LodCoefficients lod, float n_dot_r, float pixel_m, float distance_m) {
+// The keep share that leaves an area: the inverse of area_left.
+float keep_leaving(LodCoefficients lod, float area) {
+  precise float partly = 1.0f - 0.5f * lod.fade;
+  if (area <= partly) return area / partly;
+  precise float full = 1.0f - lod.fade;
+  precise float half_b = full + lod.fade * (1.0f - min(area, 1.0f));
+  precise float root = sqrt(max(square(half_b) - square(full), 0.0f));
+  return (half_b - root) / square(full);
+}
+
+// Thinned further, blades could not be widened enough to keep their area (widened_m). A little more, for blades that are wider
+// than the mean.
+float least_share(LodCoefficients lod, float width_m, float pixel_m) {
+  return keep_leaving(lod, 1.25f * width_m / (lod.widest_pixels * pixel_m));
+}
+
+// 1 − F before it is clamped to 1. `pixel_m`: height of a pixel at the blade; `distance_m`: from the eye; `width_m`: mean of
+// the blades.
+float keep_share(LodCoefficients lod, float n_dot_r, float pixel_m, float distance_m, float width_m) {
   if (lod.unthinned > 0.5f) return 1.0e6f;
   precise float d = pixel_m / lod.reference_pixel;
   precise float share = visible_size(n_dot_r) / (lod.a1 + d * (lod.a2 + d * lod.a3));
-  precise float result = share * (1.0f - sunk_share(lod, distance_m));
+  precise float result = max(share, least_share(lod, width_m, pixel_m)) * (1.0f - sunk_share(lod, distance_m));
   return result;
 }
 

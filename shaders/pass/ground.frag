@@ -18,7 +18,7 @@ layout(location = 1) in vec3 ground_normal;
 layout(location = 2) in vec3 sward_radiance;
 layout(location = 3) in float depth_per_leaf_area;
 layout(location = 4) in vec4 haze_color_and_share;
-layout(location = 5) in vec3 standing;
+layout(location = 5) in vec4 standing;
 layout(location = 0) out vec4 color;
 
 // The flat map over a pixel's long, narrow footprint, as over a square of the same area: neither does it flicker nor is it
@@ -34,11 +34,15 @@ vec4 flat_map_over_footprint(vec2 uv) {
 // Strips of low or few blades leave gaps: what is seen there is not the floor but more grass.
 const float kSureOfStrips = 0.88;
 
-// What the tiers above leave of the sward's cover to the ground: `standing` holds the shares of the optical depth that blades
-// and strips have, and how many rows of strips the line of sight meets, at most 1 (shaders/pass/ground.vert).
-float cover_left(float optical_depth, vec3 standing) {
-  float covered_by_strips = kSureOfStrips * standing.z * (1.0 - exp(-standing.y * optical_depth / standing.z));
-  float bare = exp(-optical_depth * standing.x) * (1.0 - covered_by_strips);
+// What the tiers above leave of the sward's cover to the ground. `standing` holds the shares of the optical depth that blades
+// and strips have, how many rows of strips the line of sight meets, at most 1, and how far the feet of blades have slid to
+// these rows (shaders/pass/ground.vert).
+float cover_left(float optical_depth, vec4 standing) {
+  float rows = standing.z;
+  float in_rows = mix(rows, 1.0, standing.w);
+  float blades = optical_depth * standing.x;
+  float bare_of_strips = 1.0 - kSureOfStrips * (1.0 - exp(-standing.y * optical_depth / rows));
+  float bare = mix(exp(-blades * (1.0 - in_rows) / max(1.0 - rows, 1.0e-4)), exp(-blades * in_rows / rows) * bare_of_strips, rows);
   return clamp(1.0 - exp(-optical_depth) / max(bare, 1.0e-6), 0.0, 1.0);
 }
 

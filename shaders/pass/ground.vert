@@ -26,7 +26,7 @@ layout(location = 1) out vec3 ground_normal;
 layout(location = 2) out vec3 sward_radiance;  // of the mean albedo
 layout(location = 3) out float depth_per_leaf_area;  // optical depth along the line of sight
 layout(location = 4) out vec4 haze_color_and_share;
-layout(location = 5) out vec3 standing;
+layout(location = 5) out vec4 standing;
 
 // How many rows of strips a line of sight meets on its way through the sward. They stand `frame.tile_m` apart both ways; where
 // it meets less than one, the ground is seen between them.
@@ -37,17 +37,19 @@ float rows_met(float grown, vec3 to_eye, float sin_elevation) {
 }
 
 // What stands on the ground in the tiers above: see cover_left in shaders/pass/ground.frag.
-vec3 standing_above(vec3 ground_normal, vec3 to_eye, float sin_elevation, float density_per_m2) {
+vec4 standing_above(vec3 ground_normal, vec3 to_eye, float sin_elevation, float density_per_m2) {
   vec3 from_lod_eye_m = from_eye_m - frame.lod_eye_m;
   float distance_m = length(from_lod_eye_m);
   vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-4);
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
   float n_dot_r = dot(ground_normal, to_lod_eye);
   float morph = strip_morph(frame.lod, strip_band(frame.lod, distance_m), n_dot_r);
-  float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m) * crowded_share(frame.lod, density_per_m2);
+  float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m, frame.blade_width_m) * crowded_share(frame.lod, density_per_m2);
   float area = min(area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
   float grown = strips_grown(morph) * (1.0 - sunk_share(frame.lod, distance_m));
-  return vec3(area * blades_left(morph), grown, rows_met(grown, to_eye, sin_elevation));
+  float left = blades_left(morph);
+  float rows = rows_met(max(grown, feet_slid(morph) * left), to_eye, sin_elevation);
+  return vec4(area * left, grown, rows, feet_slid(morph));
 }
 
 void main() {

@@ -19,15 +19,11 @@ layout(location = 2) uniform uint first_vertex;
 vec3 tier_tinted(vec3 radiance) { return tinted_tier(radiance, kSplineTint); }
 #define Midrib BladeChain
 vec3 midrib_point(BladeChain chain, float t) { return chain_point(chain, t); }
-vec3 midrib_derivative(BladeChain chain, float t) { return chain_derivative(chain, t); }
 #else
 vec3 tier_tinted(vec3 radiance) { return tinted_tier(radiance, kHermiteTint); }
 #define Midrib BladeCurve
 vec3 midrib_point(BladeCurve curve, float t) {
   return hermite_point(curve.base_m, curve.tip_m, curve.base_tangent_m, curve.tip_tangent_m, t);
-}
-vec3 midrib_derivative(BladeCurve curve, float t) {
-  return hermite_derivative(curve.base_m, curve.tip_m, curve.base_tangent_m, curve.tip_tangent_m, t);
 }
 #endif
 
@@ -60,10 +56,12 @@ struct GrownBlade {
   float own_share;
 };
 
-// `profile`, `l6`: width there as a share of the widest place, and l⁶ (shaders/kernels/blade_mesh.glsl).
-Rib rib_at(GrownBlade blade, float t, float profile, float l6) {
+// `profile`, `l6`: width there as a share of the widest place, and l⁶ (shaders/kernels/blade_mesh.glsl). `reach`: to the
+// ribs on either side; a rib lies across the mesh, not the curve, or a coarse mesh of a bent blade would be too narrow.
+Rib rib_at(GrownBlade blade, float t, float reach, float profile, float l6) {
   vec3 centre_m = blade.eye_from_tile_m + midrib_point(blade.midrib, t);
-  BladeSurface surface = blade_surface(midrib_derivative(blade.midrib, t), blade.midrib.side, blade.to_eye);
+  vec3 along_m = midrib_point(blade.midrib, min(t + reach, 1.0f)) - midrib_point(blade.midrib, max(t - reach, 0.0f));
+  BladeSurface surface = blade_surface(along_m, blade.midrib.side, blade.to_eye);
   vec3 half_width_m = surface.side * (0.5f * blade.width_m * profile);
   vec3 albedo = mixed(blade.root_color, blade.tip_color, t);
   vec3 left = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, t, l6, blade.shade,
@@ -93,7 +91,7 @@ void main() {
   vec3 to_lod_eye = frame.parallel > 0.5f ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-6f);
   float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
   vec3 normal = normalized(vec3(-ground.slope, 1.0f));
-  float keep = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m) *
+  float keep = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m, species.width_m) *
                crowded_share(frame.lod, mean_density_per_m2(cell));
   float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
   float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
@@ -110,18 +108,24 @@ void main() {
 #else
   Midrib midrib = curve_of(chain);
 #endif
-  float width_m = growth > 0.0f ? widened_m(frame.lod, keep, blade.width_m, pixel_m) : 0.0f;
+  // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by, their mean does
+  // by its √n-th part.
+  float own_share = sqrt(area_left(frame.lod, keep));
+
+  vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
+  float h = 1.0f / float(int(segments));
+  float coarser = coarser_share(frame.lod, int(segments), species.height_m / pixel_m);
+  SeenAreas seen = seen_areas(midrib_point(midrib, 0.0f), midrib_point(midrib, 0.25f), midrib_point(midrib, 0.5f),
+                                  midrib_point(midrib, 0.75f), midrib_point(midrib, 1.0f), to_eye);
+  float wider = wider_for_chords(seen, int(segments), coarser);
+  float width_m = growth > 0.0f ? widened_m(frame.lod, keep, wider * lerp(species.width_m, blade.width_m, own_share), pixel_m) : 0.0f;
 
   float density_per_m2 = root.density + cell.other_density_per_m2;
   float shade = shade_of(density_per_m2, frame.shade_density_per_m2);
   vec3 root_color = root_albedo(species, blade.hue, blade.dryness) * features.color;
   vec3 tip_color = tip_albedo(species, blade.hue, blade.dryness) * features.color;
-  vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
   float ground_n_dot_v = inner(normal, to_eye);
 
-  // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by, their mean does
-  // by its √n-th part.
-  float own_share = sqrt(area_left(frame.lod, keep));
   vec3 seen_m = root_m + vec3(0.0f, 0.0f, 0.6f * blade.height_m);
   SwardView view = sward_view(normal, frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m));
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
@@ -132,18 +136,16 @@ void main() {
 
   // Every other rib is also one of the coarser mesh; those between them move to the middle of their neighbours.
   Haze haze = haze_at(root_m);
-  float h = 1.0f / float(int(segments));
-  float coarser = coarser_share(frame.lod, int(segments), species.height_m / pixel_m);
   uint first = first_vertex + index * (2u * segments + 2u);
   uint step = min(segments, 2u);
   Rib last;
   for (uint n = 0u; n <= segments; n += step) {
     float t = float(int(n)) * h;
-    Rib rib = rib_at(grown, t, blended_profile(t, h, coarser), blended_power6(t, h, coarser));
+    Rib rib = rib_at(grown, t, h * (1.0f + coarser), blended_profile(t, h, coarser), blended_power6(t, h, coarser));
     store(first + 2u * n, rib, haze);
     if (n > 0u && step == 2u) {
       float t_between = t - h;
-      Rib own = rib_at(grown, t_between, mean_profile(t_between, h), mean_power6(t_between, h));
+      Rib own = rib_at(grown, t_between, h, mean_profile(t_between, h), mean_power6(t_between, h));
       store(first + 2u * n - 2u, mixed(own, between(last, rib), coarser), haze);
     }
     last = rib;

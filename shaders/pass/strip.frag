@@ -6,11 +6,16 @@ layout(binding = 0) uniform sampler2DArray strip_texture;  // rgb: radiance over
 
 layout(location = 0) in vec3 radiance;
 layout(location = 1) in vec3 place;
-layout(location = 2) in vec2 shown_and_contrast;
+layout(location = 2) in float shown;
 layout(location = 0) out vec4 color;
+
+// A blade that is about to go has the mean colour, which is what the ground behind it has, so that it goes unseen.
+const float kFadingRanks = 0.16;
 
 void main() {
   vec4 blade = texture(strip_texture, place);
-  if (blade.a >= shown_and_contrast.x) discard;
-  color = vec4(radiance * mix(vec3(1.0), kBrightest * blade.rgb, shown_and_contrast.y), 1.0);
+  float before_going = shown - blade.a;
+  if (before_going <= 0.0) discard;
+  vec3 own = kBrightest * blade.rgb;
+  color = vec4(radiance * mix(vec3(1.0), own, min(before_going / kFadingRanks, 1.0)), 1.0);
 }

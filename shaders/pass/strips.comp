@@ -79,12 +79,13 @@ void main() {
   int facing = is_east_west ? (foot_m.y > 0.0f ? 0 : 2) : (foot_m.x > 0.0f ? 3 : 1);
   float layer = float(int(species_index) * 4 + facing);
   float shift = unit_from_u32(hash_u32(b.w + uint(side)));
-  float shown = min(own_per_m2 / species.densest_per_m2, 1.0f);
-  uint packed_shown = packUnorm2x16(vec2(shown, 1.0f));
+  vec3 from_lod_eye_m = foot_m - frame.lod_eye_m;
+  float left = 1.0f - sunk_share(frame.lod, sqrt(inner(from_lod_eye_m, from_lod_eye_m)));
+  float shown = left * min(own_per_m2 / species.densest_per_m2, 1.0f);
 
   uint texel = 2u * uint(kStripVertexTexels) * (first_column + index);
   vertices[texel] = uvec4(floatBitsToUint(foot_m), foot_radiance);
-  vertices[texel + 1u] = uvec4(floatBitsToUint(vec3(along + shift, standing * (1.0f - grown), layer)), packed_shown);
+  vertices[texel + 1u] = floatBitsToUint(vec4(along + shift, standing * (1.0f - grown), layer, shown));
   vertices[texel + 2u] = uvec4(floatBitsToUint(top_m), top_radiance);
-  vertices[texel + 3u] = uvec4(floatBitsToUint(vec3(along + shift, standing, layer)), packed_shown);
+  vertices[texel + 3u] = floatBitsToUint(vec4(along + shift, standing, layer, shown));
 }

@@ -5,5 +5,5 @@ struct StripVertex {
   uint radiance;       // packed (shaders/kernels/radiance.glsl): the mean of what the blades show
   vec2 place;          // in the strips' texture
   float layer;
-  uint shown_and_contrast;  // share of the texture's blades that are shown, and how much they differ; 16 bits each
+  float shown;         // share of the texture's blades
 };

@@ -14,6 +14,8 @@
 namespace prairie {
 namespace {
 
+constexpr float kWidthM = 0.004f;
+
 constexpr double kCellM = 2.0;
 constexpr int kScenes = 20000;
 constexpr int kRoots = 60;
@@ -61,7 +63,7 @@ double keep_of_root(const LodCoefficients& lod, const Scene& scene, glm::vec2 lo
   const glm::vec3 normal = kernels.normalized({-ground.slope.x, -ground.slope.y, 1.0f});
   const auto pixel_m = static_cast<float>(scene.camera.pixel_m());
   return static_cast<double>(kernels.keep_share(lod, kernels.inner(normal, to_eye),
-                                                parallel ? pixel_m : pixel_m * distance_m, distance_m));
+                                                parallel ? pixel_m : pixel_m * distance_m, distance_m, kWidthM));
 }
 
 struct Outcome {
@@ -83,7 +85,7 @@ Outcome outcome_for(double steepness, double curvature_m, bool parallel) {
       scene.camera.yaw_rad = static_cast<double>(place(random)) * 3.0;
       scene.camera.pitch_rad = -0.75 * static_cast<double>(place(random));
     }
-    const double bound = keep_bound(lod, scene.camera, scene.view());
+    const double bound = keep_bound(lod, scene.camera, scene.view(), kWidthM);
     double largest = 0.0;
     for (int root = 0; root < kRoots; ++root) {
       largest = std::max(largest, keep_of_root(lod, scene, {place(random), place(random)}));

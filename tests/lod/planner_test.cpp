@@ -111,7 +111,8 @@ int expect_seen_blades_planned(const Meadow& meadow, const Camera& camera, const
           const float distance_m = glm::length(root_m);
           const glm::vec3 normal = kernels.normalized({-ground.slope.x, -ground.slope.y, 1.0f});
           const float keep = kernels.keep_share(plan.lod, kernels.inner(normal, -root_m / distance_m),
-                                                pixel * distance_m, distance_m) *
+                                                pixel * distance_m, distance_m,
+                                                meadow.species[cell.species].species.params.width_m) *
                              kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(cell));
           const float rank = (static_cast<float>(k) + cell.rank_offset) / static_cast<float>(cell.planted);
           const float growth = kernels.growth_of(plan.lod, keep * left, rank);

@@ -11,6 +11,8 @@
 namespace prairie {
 namespace {
 
+constexpr float kWidthM = 0.004f;
+
 /// 1 − F before it is clamped to 1, F(z, φ) = 1 − clamp(((1 − t)(n·r) + t)/(a1 + a2 d + a3 d²), 0, 1), t = (1
 /// − |n·r|)⁸, times the sinking of all blades towards the farthest distance.
 double kept_as_printed(const LodCoefficients& lod, double n_dot_r, double pixel_m, double distance_m) {
@@ -36,7 +38,7 @@ TEST(WeightTest, KeepShareIsOneMinusF) {
       const double pixel_m = pixel(random) * static_cast<double>(lod.reference_pixel) * distance_m;
       const double kept = kept_as_printed(lod, n_dot_r, pixel_m, distance_m);
       const float result = Kernels{}.keep_share(lod, static_cast<float>(n_dot_r), static_cast<float>(pixel_m),
-                                                static_cast<float>(distance_m));
+                                                static_cast<float>(distance_m), 0.0f);
       // Float arithmetic, and the last part of the sinking, which is a small difference of numbers near one.
       ASSERT_NEAR(static_cast<double>(result), kept, 3e-6 * kept + 1e-6) << n_dot_r << ' ' << distance_m;
     }
@@ -47,19 +49,19 @@ TEST(WeightTest, FallsWithDistanceAndEndsWhereBladesEnd) {
   const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   float previous = 1e30f;
   for (float distance_m = 0.1f; distance_m < 130.0f; distance_m += 0.05f) {
-    const float keep = Kernels{}.keep_share(lod, 0.3f, lod.reference_pixel * distance_m, distance_m);
+    const float keep = Kernels{}.keep_share(lod, 0.3f, lod.reference_pixel * distance_m, distance_m, kWidthM);
     ASSERT_LE(keep, previous) << distance_m;
     previous = keep;
   }
   EXPECT_EQ(previous, 0.0f);
-  EXPECT_GE(Kernels{}.keep_share(lod, 1.0f, lod.reference_pixel * 0.5f, 0.5f), 1.0f)
+  EXPECT_GE(Kernels{}.keep_share(lod, 1.0f, lod.reference_pixel * 0.5f, 0.5f, kWidthM), 1.0f)
       << "all blades near the eye";
 }
 
 TEST(WeightTest, FinerPicturesThinLater) {
   const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
-  EXPECT_GT(Kernels{}.keep_share(lod, 0.3f, 0.5f * lod.reference_pixel * 20.0f, 20.0f),
-            Kernels{}.keep_share(lod, 0.3f, lod.reference_pixel * 20.0f, 20.0f));
+  EXPECT_GT(Kernels{}.keep_share(lod, 0.3f, 0.5f * lod.reference_pixel * 20.0f, 20.0f, kWidthM),
+            Kernels{}.keep_share(lod, 0.3f, lod.reference_pixel * 20.0f, 20.0f, kWidthM));
 }
 
 TEST(WeightTest, AreaLeftIsTheIntegralOfGrowth) {
@@ -74,22 +76,16 @@ TEST(WeightTest, AreaLeftIsTheIntegralOfGrowth) {
   }
 }
 
-/// Blades that stay stand for those left out, as long as none is wider than its limit of pixels.
+/// Blades that stay stand for those left out, and none is wider than its limit of pixels.
 TEST(WeightTest, WideningKeepsTheCover) {
   const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
-  constexpr float kWidthM = 0.004f;
   for (float distance_m = 0.5f; distance_m < 60.0f; distance_m *= 1.1f) {
     const float pixel_m = lod.reference_pixel * distance_m;
-    const float keep = Kernels{}.keep_share(lod, 0.5f, pixel_m, distance_m);
+    const float keep = Kernels{}.keep_share(lod, 0.5f, pixel_m, distance_m, kWidthM);
     const float wide_m = Kernels{}.widened_m(lod, keep, kWidthM, pixel_m);
-    const float left = Kernels{}.area_left(lod, keep);
     EXPECT_GE(wide_m, kWidthM);
-    if (wide_m < lod.widest_pixels * pixel_m * 0.999f) {
-      EXPECT_NEAR(wide_m * left, kWidthM, 1e-5f * kWidthM) << distance_m;
-    } else {
-      EXPECT_LE(wide_m, std::max(kWidthM, lod.widest_pixels * pixel_m) * 1.00001f);
-      EXPECT_LE(wide_m * left, kWidthM * 1.00001f);
-    }
+    EXPECT_NEAR(wide_m * Kernels{}.area_left(lod, keep), kWidthM, 1e-5f * kWidthM) << distance_m;
+    EXPECT_LE(wide_m, std::max(kWidthM, lod.widest_pixels * pixel_m) * 1.00001f);
   }
 }
 
@@ -106,7 +102,7 @@ TEST(WeightTest, BladesGrowInRatherThanPop) {
         const double distance_m = std::hypot(along_m, 1.7);
         const float keep = Kernels{}.keep_share(lod, static_cast<float>(1.7 / distance_m),
                                                 lod.reference_pixel * static_cast<float>(distance_m),
-                                                static_cast<float>(distance_m));
+                                                static_cast<float>(distance_m), kWidthM);
         const float growth = Kernels{}.growth_of(lod, keep, 0.001f * (static_cast<float>(rank) + 0.5f));
         if (previous >= 0.0f) fastest = std::max(fastest, static_cast<double>(std::abs(growth - previous)));
         previous = growth;
@@ -121,7 +117,7 @@ TEST(WeightTest, AllBladesMeansAll) {
   const LodCoefficients lod = tier_coefficients(Tier::kSpline, Quality::kMedium, 120.0, Camera{});
   for (const float distance_m : {0.1f, 10.0f, 1000.0f, 100000.0f}) {
     for (const float n_dot_r : {0.0f, 0.01f, 0.26f, 1.0f}) {
-      const float keep = Kernels{}.keep_share(lod, n_dot_r, lod.reference_pixel * distance_m, distance_m);
+      const float keep = Kernels{}.keep_share(lod, n_dot_r, lod.reference_pixel * distance_m, distance_m, kWidthM);
       EXPECT_EQ(Kernels{}.growth_of(lod, keep, 1.0f), 1.0f);
       EXPECT_EQ(Kernels{}.widened_m(lod, keep, 0.004f, 1.0f), 0.004f);
     }
