@@ -12,13 +12,13 @@ namespace {
 // Blades whose indices lie ready, of 16 bits; more are drawn by shifting the base vertex.
 constexpr std::uint32_t kIndexedBlades = 3600;
 constexpr std::uint32_t kMostSegments = 8;
-static_assert(kIndexedBlades * (2 * kMostSegments + 2) <= 65536);
+static_assert(kIndexedBlades * (2 * kMostSegments + 1) <= 65536);
 
 std::uint32_t vertices_of(std::uint32_t segments) {
-  return 2 * segments + 2;
+  return 2 * segments + 1;
 }
 std::uint32_t triangles_of(std::uint32_t segments) {
-  return 2 * segments;
+  return 2 * segments - 1;
 }
 std::size_t bytes_of(std::uint32_t segments) {
   return vertices_of(segments) * sizeof(GrownVertex);

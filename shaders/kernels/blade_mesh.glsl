@@ -14,17 +14,29 @@ float mean_around(float t, float low, float middle, float high) {
   return (t <= 0.0f || t >= 1.0f) ? 0.5f * (low + high) : (low + middle + high) / 3.0f;
 }
 
-// Width at a vertex, as a share of the widest place.
+// Width of the rib at t, as a share of the widest place. A mesh ends in a point; what the blade's tip covers goes to the rib
+// before it.
 float mean_profile(float t, float h) {
+  if (t >= 1.0f) return 0.0f;
   vec2 places = places_around(t, h);
-  return mean_around(t, blade_profile(places.x), blade_profile(t), blade_profile(places.y));
+  float mean = mean_around(t, blade_profile(places.x), blade_profile(t), blade_profile(places.y));
+  if (t < 1.0f - 1.5f * h) return mean;
+  vec2 tip = places_around(1.0f, h);
+  float tip_mean = mean_around(1.0f, blade_profile(tip.x), 0.0f, blade_profile(tip.y));
+  return mean + (t <= 0.0f ? 1.0f : 0.5f) * tip_mean;
 }
 
-// Mean of l⁶ (shaders/kernels/lighting.glsl) around a vertex.
+// Mean of l⁶ (shaders/kernels/lighting.glsl) around a rib, over the area of the blade.
 float mean_power6(float t, float h) {
   vec2 places = places_around(t, h);
-  return mean_around(t, power6(places.x), power6(t), power6(places.y));
+  float low = blade_profile(places.x);
+  float middle = (t <= 0.0f || t >= 1.0f) ? 0.0f : blade_profile(t);
+  float high = blade_profile(places.y);
+  return (low * power6(places.x) + middle * power6(t) + high * power6(places.y)) / (low + middle + high);
 }
+
+// Where along the blade a rib has its colour from: in a single triangle, whose foot is wide, not from the foot.
+float mean_place(float t, float h) { return (t <= 0.0f && h >= 1.0f) ? 0.125f : t; }
 
 // Meshes have 8, 4, 2 or 1 segments, each the one before without its odd vertices, so that one can take the shape of the next
 // before the next takes its place. A mesh serves blades of so many pixels or more.
@@ -36,12 +48,15 @@ float coarser_share(LodCoefficients lod, int segments, float blade_pixels) {
   return 1.0f - smooth_ramp(2.5f * (blade_pixels / least_pixels(segments) - 1.0f));
 }
 
-// mean_profile and mean_power6 of a vertex that both meshes have.
+// The same of a rib that both meshes have.
 float blended_profile(float t, float h, float coarser) {
   return lerp(mean_profile(t, h), mean_profile(t, min(2.0f * h, 1.0f)), coarser);
 }
 float blended_power6(float t, float h, float coarser) {
   return lerp(mean_power6(t, h), mean_power6(t, min(2.0f * h, 1.0f)), coarser);
+}
+float blended_place(float t, float h, float coarser) {
+  return lerp(mean_place(t, h), mean_place(t, min(2.0f * h, 1.0f)), coarser);
 }
 
 // A bent blade as one sees it, across the line of sight: its area and those of its chords, for a width of one.

@@ -46,6 +46,11 @@ void store(uint vertex, Rib rib, Haze haze) {
   vertices[vertex + 1u] = uvec4(floatBitsToUint(rib.right_m), pack_radiance(hazed(rib.right, haze)));
 }
 
+// Both sides of a tip are one vertex.
+void store_tip(uint vertex, Rib rib, Haze haze) {
+  vertices[vertex] = uvec4(floatBitsToUint(rib.left_m), pack_radiance(hazed(0.5f * (rib.left + rib.right), haze)));
+}
+
 struct GrownBlade {
   Midrib midrib;
   vec3 eye_from_tile_m, to_eye;
@@ -56,17 +61,18 @@ struct GrownBlade {
   float own_share;
 };
 
-// `profile`, `l6`: width there as a share of the widest place, and l⁶ (shaders/kernels/blade_mesh.glsl). `reach`: to the
-// ribs on either side; a rib lies across the mesh, not the curve, or a coarse mesh of a bent blade would be too narrow.
-Rib rib_at(GrownBlade blade, float t, float reach, float profile, float l6) {
+// `profile`, `place`, `l6`: width there as a share of the widest place, where its colour is from, and l⁶
+// (shaders/kernels/blade_mesh.glsl). `reach`: to the ribs on either side; a rib lies across the mesh, not the curve, or a
+// coarse mesh of a bent blade would be too narrow.
+Rib rib_at(GrownBlade blade, float t, float reach, float profile, float place, float l6) {
   vec3 centre_m = blade.eye_from_tile_m + midrib_point(blade.midrib, t);
   vec3 along_m = midrib_point(blade.midrib, min(t + reach, 1.0f)) - midrib_point(blade.midrib, max(t - reach, 0.0f));
   BladeSurface surface = blade_surface(along_m, blade.midrib.side, blade.to_eye);
   vec3 half_width_m = surface.side * (0.5f * blade.width_m * profile);
-  vec3 albedo = mixed(blade.root_color, blade.tip_color, t);
-  vec3 left = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, t, l6, blade.shade,
+  vec3 albedo = mixed(blade.root_color, blade.tip_color, place);
+  vec3 left = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
                                     inner(surface.left, frame.sun_direction), blade.ground_n_dot_v);
-  vec3 right = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, t, l6, blade.shade,
+  vec3 right = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
                                      inner(surface.right, frame.sun_direction), blade.ground_n_dot_v);
   return Rib(centre_m - half_width_m, centre_m + half_width_m, tier_tinted(mixed(blade.mean_radiance, left, blade.own_share)),
              tier_tinted(mixed(blade.mean_radiance, right, blade.own_share)));
@@ -136,16 +142,20 @@ void main() {
 
   // Every other rib is also one of the coarser mesh; those between them move to the middle of their neighbours.
   Haze haze = haze_at(root_m);
-  uint first = first_vertex + index * (2u * segments + 2u);
+  uint first = first_vertex + index * (2u * segments + 1u);
   uint step = min(segments, 2u);
   Rib last;
   for (uint n = 0u; n <= segments; n += step) {
     float t = float(int(n)) * h;
-    Rib rib = rib_at(grown, t, h * (1.0f + coarser), blended_profile(t, h, coarser), blended_power6(t, h, coarser));
-    store(first + 2u * n, rib, haze);
+    Rib rib = rib_at(grown, t, h * (1.0f + coarser), blended_profile(t, h, coarser), blended_place(t, h, coarser), blended_power6(t, h, coarser));
+    if (n < segments) {
+      store(first + 2u * n, rib, haze);
+    } else {
+      store_tip(first + 2u * n, rib, haze);
+    }
     if (n > 0u && step == 2u) {
       float t_between = t - h;
-      Rib own = rib_at(grown, t_between, h, mean_profile(t_between, h), mean_power6(t_between, h));
+      Rib own = rib_at(grown, t_between, h, mean_profile(t_between, h), mean_place(t_between, h), mean_power6(t_between, h));
       store(first + 2u * n - 2u, mixed(own, between(last, rib), coarser), haze);
     }
     last = rib;

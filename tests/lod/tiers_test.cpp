@@ -52,25 +52,39 @@ TEST(TiersTest, FeetSlideToTheNearestEdge) {
 TEST(TiersTest, CoarseMeshesKeepAreaAndLight) {
   Kernels kernels;
   constexpr int kSteps = 20000;
-  double area = 0.0, light = 0.0;
+  double area = 0.0, light = 0.0, middle = 0.0;
   for (int n = 0; n < kSteps; ++n) {
     const float t = (static_cast<float>(n) + 0.5f) / kSteps;
-    area += static_cast<double>(kernels.blade_profile(t)) / kSteps;
-    light += static_cast<double>(kernels.power6(t)) / kSteps;
+    const auto width = static_cast<double>(kernels.blade_profile(t)) / kSteps;
+    area += width;
+    light += width * static_cast<double>(kernels.power6(t));
+    middle += width * static_cast<double>(t);
   }
+  light /= area;
+  middle /= area;
   for (const int segments : {1, 2, 4, 8}) {
     const float h = 1.0f / static_cast<float>(segments);
-    double mesh_area = 0.0, mesh_light = 0.0;
-    for (int n = 0; n <= segments; ++n) {
-      const float t = static_cast<float>(n) * h;
-      const double weight = static_cast<double>(h) * (n == 0 || n == segments ? 0.5 : 1.0);
-      mesh_area += weight * static_cast<double>(kernels.mean_profile(t, h));
-      mesh_light += weight * static_cast<double>(kernels.mean_power6(t, h));
+    double mesh_area = 0.0, mesh_light = 0.0, mesh_middle = 0.0;
+    for (int n = 0; n < kSteps; ++n) {
+      const float t = (static_cast<float>(n) + 0.5f) / kSteps;
+      const float lower = h * std::floor(t / h);
+      const double up = static_cast<double>((t - lower) / h);
+      const auto between = [&](float low, float high) {
+        return (1.0 - up) * static_cast<double>(low) + up * static_cast<double>(high);
+      };
+      const float upper = n * segments / kSteps == segments - 1 ? 1.0f : lower + h;
+      const double width = between(kernels.mean_profile(lower, h), kernels.mean_profile(upper, h)) / kSteps;
+      mesh_area += width;
+      mesh_light += width * between(kernels.mean_power6(lower, h), kernels.mean_power6(upper, h));
+      mesh_middle += width * between(kernels.mean_place(lower, h), kernels.mean_place(upper, h));
     }
-    std::printf("%d segments: area %+.1f %%, light %+.3f of 1\n", segments, 100.0 * (mesh_area / area - 1.0),
-                mesh_light - light);
+    mesh_light /= mesh_area;
+    mesh_middle /= mesh_area;
+    std::printf("%d segments: area %+.1f %%, light %+.3f of 1, colour from %+.3f of the length\n", segments,
+                100.0 * (mesh_area / area - 1.0), mesh_light - light, mesh_middle - middle);
     EXPECT_NEAR(mesh_area / area, 1.0, 0.03) << segments;
     EXPECT_NEAR(mesh_light, light, 0.02) << segments;
+    EXPECT_NEAR(mesh_middle, middle, 0.03) << segments;
   }
 }
 
