@@ -9,7 +9,7 @@ namespace {
 // A patch is split while the eye is nearer than this many of its sides. From 1 upwards neighbours differ by
 // at most one level: a patch that stays whole lies at least a side away, and half a side further nothing is
 // split twice.
-constexpr double kSplitSides = 1.25;
+constexpr double kSplitSides = 1.0;
 // A quad of a parallel projection is at most this many pixels wide.
 constexpr double kParallelQuadPixels = 4.0;
 

@@ -40,7 +40,7 @@ float mean_place(float t, float h) { return (t <= 0.0f && h >= 1.0f) ? 0.125f : 
 
 // Meshes have 8, 4, 2 or 1 segments, each the one before without its odd vertices, so that one can take the shape of the next
 // before the next takes its place. A mesh serves blades of so many pixels or more.
-float least_pixels(int segments) { return segments >= 8 ? 200.0f : (segments >= 4 ? 60.0f : (segments >= 2 ? 26.0f : 0.0f)); }
+float least_pixels(int segments) { return segments >= 8 ? 240.0f : (segments >= 4 ? 80.0f : (segments >= 2 ? 34.0f : 0.0f)); }
 
 // How far a blade's mesh has taken the shape of the mesh with half as many segments, 0…1.
 float coarser_share(LodCoefficients lod, int segments, float blade_pixels) {
