@@ -22,6 +22,13 @@ struct CellGroup {
   std::uint32_t cell_count = 0;
 };
 
+/// How far a tile has morphed from 3D blades (0) to strips (1).
+struct TileMorph {
+  int i = 0;
+  int j = 0;
+  float morph = 0.0f;
+};
+
 /// Sides of a ground patch along which the neighbour is twice as coarse.
 enum PatchSide : std::uint8_t { kWest = 1, kEast = 2, kSouth = 4, kNorth = 8 };
 
@@ -48,6 +55,7 @@ struct FramePlan {
   std::vector<float> tables;      // what the cells' table words index
   std::vector<StripTile> strips;  // near ones first
   std::uint32_t near_strips = 0;  // how many of them follow the ground in kStripQuads quads a side; the rest in one
+  std::vector<TileMorph> morphs;    // of tiles in view, where distance decides
   std::vector<GroundPatch> ground;  // front to back
   std::uint64_t blades_planted_in_view = 0;  // of tiles in strips: the maps' expectation
   std::uint64_t blades_drawn = 0;            // as 3D blades, at most

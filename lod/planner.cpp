@@ -30,14 +30,14 @@ constexpr std::uint32_t kLeastInQuarters = 64;
 
 constexpr std::array<std::uint32_t, 4> kSegments = {8, 4, 2, 1};
 
-// Which of kSegments suits a blade of so many pixels. The picture of all blades is what others are compared with: there,
-// blades have their full shape at any distance.
-std::size_t segment_class(double blade_pixels, bool all) {
-  if (all) return 0;
+// Which of kSegments suits a blade of so many pixels.
+std::size_t segment_class(const LodCoefficients& lod, double blade_pixels) {
   Kernels kernels;
-  return static_cast<std::size_t>(std::ranges::find_if(kSegments, [&](std::uint32_t segments) {
-    return static_cast<float>(blade_pixels) >= kernels.least_pixels(static_cast<int>(segments));
-  }) - kSegments.begin());
+  const float pixels = kernels.mesh_pixels(lod, static_cast<float>(blade_pixels));
+  const auto suits = [&](std::uint32_t segments) {
+    return pixels >= kernels.least_pixels(static_cast<int>(segments));
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(kSegments, suits) - kSegments.begin());
 }
 
 // What a tile in view takes at most: four cells made ready, once more in the plan, and its strips.
@@ -131,6 +131,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
       const float n_dot_r = glm::dot(meadow_->ground.normal(centre_m), glm::vec3(to_eye_m / distance_m));
       const float band = kernels.strip_band(plan.lod, static_cast<float>(distance_m));
       morph = morph_of(plan, key_of(seen.id), band, n_dot_r);
+      plan.morphs.push_back({seen.id.i, seen.id.j, morph});
       const float grown = kernels.strips_grown(morph);
       const double nearest_m = std::max(distance_m - meadow_->tile_m, 0.0);
       if (grown > 0.0f && kernels.sunk_share(plan.lod, static_cast<float>(nearest_m)) < 1.0f) {
@@ -181,7 +182,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
           const double distance_m = nearest_distance_m(roots, plan.lod_eye_m);
           const double pixel_m = lod_camera.pixel_m_at(std::max(distance_m, 0.1));
           const bool is_spline = kernels.hermite_share(plan.lod, static_cast<float>(distance_m)) < 1.0f;
-          const std::size_t segments = segment_class(static_cast<double>(params.height_m) / pixel_m, all);
+          const std::size_t segments = segment_class(plan.lod, static_cast<double>(params.height_m) / pixel_m);
           meshes.hermite_and_spline[is_spline][segments].push_back(drawn_cell);
         };
         if (planted.planted < kLeastInQuarters || nearest_distance_m(ground, plan.lod_eye_m) > quarters_far_m) {

@@ -89,6 +89,9 @@ GroundPass::GroundPass(const World& world, const std::filesystem::path& shader_f
   flat_period_m_ = flat_map.period_m;
   flat_map_ = upload_flat_map(flat_map, world.meadow().repeats);
 
+  tile_morphs_ = make_texture(GL_TEXTURE_2D);
+  glTextureStorage2D(tile_morphs_.get(), 1, GL_R8, layouts::kTileMorphSide, layouts::kTileMorphSide);
+
   std::vector<std::uint16_t> indices;
   for (std::uint8_t sides = 0; sides < index_ranges_.size(); ++sides) {
     const std::vector<std::uint16_t> patch = patch_indices(sides);
@@ -157,6 +160,23 @@ std::uint32_t GroundPass::slot_of(const GroundPatch& patch) {
   return entry->second.index;
 }
 
+void GroundPass::upload_morphs(const FramePlan& plan) {
+  constexpr int kSideTiles = layouts::kTileMorphSide;
+  constexpr std::uint8_t kUnknown = 255;
+  morph_steps_.assign(std::size_t{kSideTiles} * kSideTiles, kUnknown);
+  const double tile_m = world_->meadow().tile_m;
+  const int west = static_cast<int>(std::floor(plan.camera.eye_m.x / tile_m)) - kSideTiles / 2;
+  const int south = static_cast<int>(std::floor(plan.camera.eye_m.y / tile_m)) - kSideTiles / 2;
+  for (const TileMorph& tile : plan.morphs) {
+    const int column = tile.i - west, row = tile.j - south;
+    if (column < 0 || column >= kSideTiles || row < 0 || row >= kSideTiles) continue;
+    morph_steps_[static_cast<std::size_t>(row) * kSideTiles + static_cast<std::size_t>(column)] =
+        static_cast<std::uint8_t>(std::lround(layouts::kTileMorphSteps * tile.morph));
+  }
+  glTextureSubImage2D(tile_morphs_.get(), 0, 0, 0, kSideTiles, kSideTiles, GL_RED, GL_UNSIGNED_BYTE,
+                      morph_steps_.data());
+}
+
 void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m) {
   ++frame_;
   triangles_drawn_ = 0;
@@ -176,12 +196,14 @@ void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m) {
     triangles_drawn_ += range.count / 3;
   }
   patch_params_.upload(std::span<const PatchParams>(params));
+  upload_morphs(plan);
 
   glUseProgram(program_.get());
   glProgramUniform1ui(program_.get(), 0, kSide);
   glBindVertexArray(vertex_array_.get());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, patch_params_.get());
   glBindTextureUnit(0, flat_map_.get());
+  glBindTextureUnit(1, tile_morphs_.get());
   glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts.data(), GL_UNSIGNED_SHORT, offsets.data(),
                                 static_cast<GLsizei>(counts.size()), base_vertices.data());
 }

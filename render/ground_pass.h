@@ -38,6 +38,7 @@ class GroundPass {
   };
   std::uint32_t slot_of(const GroundPatch& patch);
   void fill_slot(std::uint32_t slot, const GroundPatch& patch);
+  void upload_morphs(const FramePlan& plan);
 
   const World* world_;
   GlProgram program_;
@@ -46,6 +47,8 @@ class GroundPass {
   GlBuffer indices_;
   GlBuffer patch_params_;
   GlTexture flat_map_;
+  GlTexture tile_morphs_;
+  std::vector<std::uint8_t> morph_steps_;
   glm::dvec2 flat_period_m_{1.0};
   struct IndexRange {
     std::uint32_t first = 0;

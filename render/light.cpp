@@ -61,6 +61,8 @@ FrameParams frame_params(const World& world, const FramePlan& plan, const Ground
   frame.blade_width_m = static_cast<float>(field.blade_width_m);
   frame.lod_eye_m = glm::vec3(plan.lod_eye_m - camera.eye_m);
   frame.tile_m = static_cast<float>(meadow.tile_m);
+  const glm::dvec2 eye_m(camera.eye_m);
+  frame.eye_in_tile_m = glm::vec2(eye_m - meadow.tile_m * glm::floor(eye_m / meadow.tile_m));
   return frame;
 }
 

@@ -10,6 +10,7 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/tint.glsl"
 #include "shaders/pass/value_noise.glsl"
+#include "shaders/pass/litter.glsl"
 
 #include "shaders/pass/flat_map.glsl"
 
@@ -35,14 +36,17 @@ vec4 flat_map_over_footprint(vec2 uv) {
 const float kSureOfStrips = 0.88;
 
 // What the tiers above leave of the sward's cover to the ground. `standing` holds the shares of the optical depth that blades
-// and strips have, how many rows of strips the line of sight meets, at most 1, and how far the feet of blades have slid to
-// these rows (shaders/pass/ground.vert).
-float cover_left(float optical_depth, vec4 standing) {
-  float rows = standing.z;
-  float in_rows = mix(rows, 1.0, standing.w);
+// and strips have, how far a line of sight goes on below the tops of strips, and how far the feet of blades have slid to
+// their rows (shaders/pass/ground.vert). The rows stand along the edges of tiles, and a line of sight crosses one or does not.
+float cover_left(float optical_depth, vec4 standing, vec2 level_to_eye) {
+  vec2 reach = level_to_eye * standing.z / frame.tile_m;
+  vec2 place = (from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m;
+  bool crosses = any(notEqual(floor(place), floor(place + reach)));
+  float crossing = clamp(abs(reach.x) + abs(reach.y), 1.0e-4, 1.0);  // the share of lines that do
+  float in_rows = mix(crossing, 1.0, standing.w);
   float blades = optical_depth * standing.x;
-  float bare_of_strips = 1.0 - kSureOfStrips * (1.0 - exp(-standing.y * optical_depth / rows));
-  float bare = mix(exp(-blades * (1.0 - in_rows) / max(1.0 - rows, 1.0e-4)), exp(-blades * in_rows / rows) * bare_of_strips, rows);
+  float bare = crosses ? exp(-blades * in_rows / crossing) * (1.0 - kSureOfStrips * (1.0 - exp(-standing.y * optical_depth / crossing)))
+                       : exp(-blades * (1.0 - in_rows) / max(1.0 - crossing, 1.0e-4));
   return clamp(1.0 - exp(-optical_depth) / max(bare, 1.0e-6), 0.0, 1.0);
 }
 
@@ -63,10 +67,10 @@ void main() {
   float n_dot_l = dot(normal, frame.sun_direction);
   vec3 soil_albedo = frame.soil_color * (0.6 + 0.8 * grain);
   vec3 soil = soil_albedo * (frame.top_ambient + frame.sun_radiance * max(n_dot_l, 0.0));
-  vec3 litter = mix(grass.rgb, vec3(0.10, 0.085, 0.04), 0.3) * (0.55 + 0.9 * grain);
-  vec3 floor_of_sward = mix(soil, litter * (frame.root_ambient * 1.3 + 0.035 * frame.sun_radiance), smooth_ramp(1.6 * grass.a));
+  vec3 floor_of_sward = mix(soil, litter_radiance(grass.rgb) * (0.55 + 0.9 * grain), smooth_ramp(1.6 * grass.a));
 
-  float cover = cover_left(optical_depth, standing);
+  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m;
+  float cover = cover_left(optical_depth, standing, to_eye.xy * inversesqrt(max(dot(to_eye.xy, to_eye.xy), 1.0e-12)));
   Haze haze;
   haze.color = haze_color_and_share.rgb;
   haze.share = haze_color_and_share.a;

@@ -14,6 +14,7 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/tint.glsl"
+#include "shaders/pass/litter.glsl"
 
 layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
 layout(binding = 1) uniform samplerBuffer standing_texels;  // of the texture's height, by species
@@ -25,11 +26,15 @@ layout(location = 3) uniform uint quads;  // along a side
 
 const int kSides = 4;
 
-// What the tile's blades would show of themselves along the line of sight to a place.
-uint radiance_at(vec3 from_eye_m, vec3 normal, float density_per_m2, float blade_height, vec3 color_factor, uint species) {
-  SwardView view = sward_view(normal, normalized(-from_eye_m));
+// What the tile's blades would show along the line of sight to a place: themselves, and where one sees between the rows of
+// strips as much of the floor as there, or the rows would stand out as lines.
+uint radiance_at(vec3 from_eye_m, vec3 normal, float density_per_m2, float height_m, float blade_height, vec3 color_factor, uint species) {
+  vec3 to_eye = normalized(-from_eye_m);
+  SwardView view = sward_view(normal, to_eye);
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * blade_height);
   vec3 color = sward_color(1 + int(species), view, optical_depth, shade_of(density_per_m2, frame.shade_density_per_m2));
+  float crossing = min(height_m * (abs(to_eye.x) + abs(to_eye.y)) / (view.sin_elevation * frame.tile_m), 1.0f);
+  color = mix(color, litter_radiance(frame.mean_albedo), (1.0f - crossing) * exp(-optical_depth));
   return pack_radiance(hazed(tinted_tier(color * color_factor, kStripTint), haze_at(from_eye_m)));
 }
 
@@ -71,8 +76,8 @@ void main() {
   float standing = texelFetch(standing_texels, int(species_index)).x;
   float height_m = standing * species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
   vec3 top_m = foot_m + vec3(0.0f, 0.0f, height_m * grown);
-  uint foot_radiance = radiance_at(foot_m, normal, all_per_m2, blade_height, c.rgb, species_index);
-  uint top_radiance = radiance_at(top_m, normal, all_per_m2, blade_height, c.rgb, species_index);
+  uint foot_radiance = radiance_at(foot_m, normal, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
+  uint top_radiance = radiance_at(top_m, normal, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
 
   // Which of its faces is seen: south, east, north or west.
   bool is_east_west = (side & 1) == 0;

@@ -30,5 +30,7 @@ struct FrameParams {
   float tile_m;
   float blade_width_m;       // mean of the field
   float reserved;            // fills the row
+  vec2 eye_in_tile_m;        // from the south-west corner of the tile that it is above
+  vec2 reserved_too;
   LodCoefficients lod;
 };

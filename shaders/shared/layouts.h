@@ -31,6 +31,7 @@ using uint = glm::uint;
 #include "shaders/shared/strip_scale.glsl"
 #include "shaders/shared/sward_axes.glsl"
 #include "shaders/shared/texels.glsl"
+#include "shaders/shared/tile_morphs.glsl"
 
 }  // namespace layouts
 
@@ -52,9 +53,9 @@ static_assert(sizeof(Blade) == kTexelBytes * layouts::kBladeTexels);
 static_assert(offsetof(Blade, lean) == 32);
 static_assert(sizeof(DrawnCell) == kTexelBytes * layouts::kCellTexels);
 static_assert(offsetof(DrawnCell, eye_from_tile_m) == 80);
-static_assert(sizeof(FrameParams) == 336);
+static_assert(sizeof(FrameParams) == 352);
 static_assert(offsetof(FrameParams, anchor_m) == 240);
-static_assert(offsetof(FrameParams, lod) == 272);
+static_assert(offsetof(FrameParams, lod) == 288);
 static_assert(sizeof(LodCoefficients) == 64);
 static_assert(sizeof(GrownVertex) == kTexelBytes);
 static_assert(sizeof(StripTile) == kTexelBytes * layouts::kStripTileTexels);
