@@ -14,17 +14,18 @@ constexpr std::uint32_t kIndexedBlades = 3600;
 constexpr std::uint32_t kMostSegments = 8;
 static_assert(kIndexedBlades * (2 * kMostSegments + 1) <= 65536);
 
-std::uint32_t vertices_of(std::uint32_t segments) {
-  return 2 * segments + 1;
-}
 std::uint32_t triangles_of(std::uint32_t segments) {
   return 2 * segments - 1;
 }
 std::size_t bytes_of(std::uint32_t segments) {
-  return vertices_of(segments) * sizeof(GrownVertex);
+  return BladePass::vertices_per_blade(segments) * sizeof(GrownVertex);
 }
 
 }  // namespace
+
+std::uint32_t BladePass::vertices_per_blade(std::uint32_t segments) {
+  return 2 * segments + 1;
+}
 
 BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder) {
   const std::string_view variant = planting_variant(PlantingLattice(world.meadow()).feature_patches > 0);
@@ -48,7 +49,7 @@ GLuint BladePass::indices_for(std::uint32_t segments) {
     std::vector<std::uint16_t> indices;
     indices.reserve(std::size_t{kIndexedBlades} * triangles_of(segments) * 3);
     for (std::uint32_t blade = 0; blade < kIndexedBlades; ++blade) {
-      const std::uint32_t first = blade * vertices_of(segments);
+      const std::uint32_t first = blade * BladePass::vertices_per_blade(segments);
       for (std::uint32_t n = first; n < first + triangles_of(segments); ++n) {
         for (const std::uint32_t corner : {n, n + 1, n + 2})
           indices.push_back(static_cast<std::uint16_t>(corner));
@@ -88,7 +89,7 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
     cells_.insert(cells_.end(), pieces.begin(), pieces.end());
   }
   const Run& last = runs_.back();
-  const std::size_t last_bytes = (last.first_vertex + std::size_t{last.blades} * vertices_of(last.segments)) *
+  const std::size_t last_bytes = (last.first_vertex + std::size_t{last.blades} * BladePass::vertices_per_blade(last.segments)) *
                                  sizeof(GrownVertex);
   vertices_.reserve(batches_.size() > 1 ? kStorageLimitBytes : last_bytes);
   glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(GrownVertex));
@@ -115,7 +116,7 @@ void BladePass::draw_run(const Run& run) {
     const std::uint32_t blades = std::min(kIndexedBlades, run.blades - first);
     glDrawElementsBaseVertex(
         GL_TRIANGLES, static_cast<GLsizei>(blades * triangles_of(run.segments) * 3), GL_UNSIGNED_SHORT,
-        nullptr, static_cast<GLint>(run.first_vertex + first * vertices_of(run.segments)));
+        nullptr, static_cast<GLint>(run.first_vertex + first * BladePass::vertices_per_blade(run.segments)));
   }
 }
 

@@ -26,6 +26,9 @@ class BladePass {
   /// The same by another program, which takes GrownVertex as vertex attributes 0 and 1.
   void draw(StreamBuffer& stream, GLuint program);
 
+  /// Of a mesh that ends in a point.
+  static std::uint32_t vertices_per_blade(std::uint32_t segments);
+
   std::uint64_t spline_triangles() const { return spline_triangles_; }
   std::uint64_t hermite_triangles() const { return hermite_triangles_; }
 

@@ -11,7 +11,7 @@
 namespace prairie {
 namespace {
 
-constexpr std::uint32_t kSegments = 5;
+constexpr std::uint32_t kSegments = 4;
 // Narrower blades would be broken into dots by the texture.
 constexpr float kLeastTexels = 1.2f;
 
@@ -120,7 +120,7 @@ GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const Fra
       glClearNamedFramebufferfv(framebuffer.get(), GL_DEPTH, 0, &far);
       stream.begin_frame();
       blades.prepare(stream, plan, widened);
-      glProgramUniform1ui(program_.get(), 0, 2 * kSegments + 2);
+      glProgramUniform1ui(program_.get(), 0, BladePass::vertices_per_blade(kSegments));
       glProgramUniform1f(program_.get(), 1, static_cast<float>(plan.blades_drawn));
       glProgramUniform3fv(program_.get(), 3, 1, &kFacing[facing].along[0]);
       for (const float shift : {-frame.tile_m, 0.0f, frame.tile_m}) {

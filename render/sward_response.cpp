@@ -90,23 +90,10 @@ void add(Lanes& sum, const Lanes& lanes, float share) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] += share * lanes[lane];
 }
 
-// Blades are lit at their vertices, and between them the picture interpolates.
 Lit lit_element(const SpeciesParams& species, const FrameParams& light, const SwardElements& elements,
                 std::size_t n) {
-  Kernels kernels;
-  const float at = elements.place[n] * kSwardSegments;
-  const float before = std::floor(at);
-  Lit lit{};
-  for (const bool upper : {false, true}) {
-    const float place = (upper ? before + 1.0f : before) / kSwardSegments;
-    const float share = upper ? at - before : 1.0f - (at - before);
-    const Lit vertex =
-        lit_at(species, light, kernels.mixed(elements.root_albedo[n], elements.tip_albedo[n], place), place);
-    add(lit.all_round, vertex.all_round, share);
-    add(lit.front, vertex.front, share);
-    add(lit.back, vertex.back, share);
-  }
-  return lit;
+  const float place = elements.place[n];
+  return lit_at(species, light, Kernels{}.mixed(elements.root_albedo[n], elements.tip_albedo[n], place), place);
 }
 
 std::vector<Sheet> sheets_of(std::span<const SwardLayer> layers, const FrameParams& light) {

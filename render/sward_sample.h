@@ -13,9 +13,6 @@
 
 namespace prairie {
 
-/// Of a blade near the eye; light is found at its vertices.
-inline constexpr int kSwardSegments = 7;
-
 /// Pieces of blades, ordered from the highest to the lowest; what lies below the ground is left out.
 struct SwardElements {
   std::vector<float> height_m;

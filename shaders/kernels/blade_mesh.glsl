@@ -43,7 +43,7 @@ float mean_place(float t, float h) { return (t <= 0.0f && h >= 1.0f) ? 0.125f : 
 float least_pixels(int segments) { return segments >= 8 ? 240.0f : (segments >= 4 ? 80.0f : (segments >= 2 ? 34.0f : 0.0f)); }
 
 // Where every blade is asked for, as what others are compared with, meshes are finer.
-float mesh_pixels(LodCoefficients lod, float blade_pixels) { return lod.unthinned > 0.5f ? 2.5f * blade_pixels : blade_pixels; }
+float mesh_pixels(LodCoefficients lod, float blade_pixels) { return lod.unthinned > 0.5f ? 8.0f * blade_pixels : blade_pixels; }
 
 // How far a blade's mesh has taken the shape of the mesh with half as many segments, 0…1.
 float coarser_share(LodCoefficients lod, int segments, float blade_pixels) {

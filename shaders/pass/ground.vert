@@ -33,7 +33,7 @@ layout(location = 4) out vec4 haze_color_and_share;
 layout(location = 5) out vec4 standing;
 
 // How far the tile at a place has morphed, as planned: its blades and strips stand by its middle, not by this vertex.
-float tile_morph(float distance_m, float n_dot_r) {
+float tile_morph(vec3 from_eye_m, float distance_m, float n_dot_r) {
   ivec2 tile = ivec2(floor((from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m)) + kTileMorphSide / 2;
   float steps = 255.0;
   if (all(greaterThanEqual(tile, ivec2(0))) && all(lessThan(tile, ivec2(kTileMorphSide)))) steps = 255.0 * texelFetch(tile_morphs, tile, 0).r;
@@ -42,13 +42,13 @@ float tile_morph(float distance_m, float n_dot_r) {
 }
 
 // What stands on the ground in the tiers above: see cover_left in shaders/pass/ground.frag.
-vec4 standing_above(vec3 ground_normal, float sin_elevation, float density_per_m2) {
+vec4 standing_above(vec3 from_eye_m, vec3 ground_normal, float sin_elevation, float density_per_m2) {
   vec3 from_lod_eye_m = from_eye_m - frame.lod_eye_m;
   float distance_m = length(from_lod_eye_m);
   vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-4);
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
   float n_dot_r = dot(ground_normal, to_lod_eye);
-  float morph = tile_morph(distance_m, n_dot_r);
+  float morph = tile_morph(from_eye_m, distance_m, n_dot_r);
   float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m, frame.blade_width_m) * crowded_share(frame.lod, density_per_m2);
   float area = min(area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
   float grown = strips_grown(morph);
@@ -74,7 +74,7 @@ void main() {
   float leaf_area = leaf_area_of(textureLod(flat_map, flat_map_place(from_eye_m), log2(patch_params.quad_m / flat_texel_m())).a);
   float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
   sward_radiance = sward_color(kMix, view, leaf_area * depth_per_leaf_area, shade);
-  standing = standing_above(normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
+  standing = standing_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);
 

@@ -97,8 +97,8 @@ void main() {
   vec3 to_lod_eye = frame.parallel > 0.5f ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-6f);
   float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
   vec3 normal = normalized(vec3(-ground.slope, 1.0f));
-  float keep = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m, species.width_m) *
-               crowded_share(frame.lod, mean_density_per_m2(cell));
+  float kept = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m, species.width_m);
+  float keep = kept * crowded_share(frame.lod, mean_density_per_m2(cell));
   float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
   float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
 
@@ -115,8 +115,8 @@ void main() {
   Midrib midrib = curve_of(chain);
 #endif
   // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by, their mean does
-  // by its √n-th part.
-  float own_share = sqrt(area_left(frame.lod, keep));
+  // by its √n-th part. Those that are left out where it is crowded would mostly have been hidden.
+  float own_share = sqrt(area_left(frame.lod, kept));
 
   vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
   float h = 1.0f / float(int(segments));
@@ -144,7 +144,7 @@ void main() {
   Haze haze = haze_at(root_m);
   uint first = first_vertex + index * (2u * segments + 1u);
   uint step = min(segments, 2u);
-  Rib last;
+  Rib last = Rib(vec3(0.0f), vec3(0.0f), vec3(0.0f), vec3(0.0f));
   for (uint n = 0u; n <= segments; n += step) {
     float t = float(int(n)) * h;
     Rib rib = rib_at(grown, t, h * (1.0f + coarser), blended_profile(t, h, coarser), blended_place(t, h, coarser), blended_power6(t, h, coarser));
