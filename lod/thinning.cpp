@@ -93,10 +93,10 @@ LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_dista
       lod.a1 = 0.05f, lod.a2 = 0.05f, lod.a3 = 0.004f;
       break;
   }
-  lod.fade = 0.3f;
+  lod.fade = 0.4f;
   lod.reference_pixel = kReferencePixel;
   lod.widest_pixels = 2.0f;
-  lod.crowded_per_m2 = 1000.0f;
+  lod.crowded_per_m2 = 1400.0f;
   lod.grazing = 0.25f;
   lod.steep = 0.45f;
   // A finer picture shows more of a blade, and strips only look right where they are small.

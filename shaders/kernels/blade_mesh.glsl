@@ -26,13 +26,11 @@ float mean_profile(float t, float h) {
   return mean + (t <= 0.0f ? 1.0f : 0.5f) * tip_mean;
 }
 
-// Mean of l⁶ (shaders/kernels/lighting.glsl) around a rib, over the area of the blade.
+// Mean of l⁶ (shaders/kernels/lighting.glsl) around a rib, over the blade's length, not its area: l⁶ counts where it is
+// crowded, and there one sees the tips.
 float mean_power6(float t, float h) {
   vec2 places = places_around(t, h);
-  float low = blade_profile(places.x);
-  float middle = (t <= 0.0f || t >= 1.0f) ? 0.0f : blade_profile(t);
-  float high = blade_profile(places.y);
-  return (low * power6(places.x) + middle * power6(t) + high * power6(places.y)) / (low + middle + high);
+  return mean_around(t, power6(places.x), power6(t), power6(places.y));
 }
 
 // Where along the blade a rib has its colour from: in a single triangle, whose foot is wide, not from the foot.
@@ -43,7 +41,7 @@ float mean_place(float t, float h) { return (t <= 0.0f && h >= 1.0f) ? 0.125f : 
 float least_pixels(int segments) { return segments >= 8 ? 240.0f : (segments >= 4 ? 80.0f : (segments >= 2 ? 34.0f : 0.0f)); }
 
 // Where every blade is asked for, as what others are compared with, meshes are finer.
-float mesh_pixels(LodCoefficients lod, float blade_pixels) { return lod.unthinned > 0.5f ? 8.0f * blade_pixels : blade_pixels; }
+float mesh_pixels(LodCoefficients lod, float blade_pixels) { return lod.unthinned > 0.5f ? 20.0f * blade_pixels : blade_pixels; }
 
 // How far a blade's mesh has taken the shape of the mesh with half as many segments, 0…1.
 float coarser_share(LodCoefficients lod, int segments, float blade_pixels) {

@@ -23,9 +23,9 @@ float hermite_share(LodCoefficients lod, float distance_m) {
   return smooth_ramp((distance_m - lod.spline_start_m) / (lod.spline_end_m - lod.spline_start_m));
 }
 
-// Strips stand up before blades begin to leave, and are complete before the last have left.
-float blades_left(float morph) { return 1.0f - smooth_ramp(1.25f * morph - 0.25f); }
-float strips_grown(float morph) { return smooth_ramp(1.25f * morph); }
+// Strips grow a little before blades leave. The ground can fill in what both leave bare, but not take away what both cover.
+float strips_grown(float morph) { return smooth_ramp(1.12f * morph); }
+float blades_left(float morph) { return 1.0f - smooth_ramp(1.12f * morph - 0.12f); }
 
 // How far the feet of a tile's blades have slid to its nearest edge.
 float feet_slid(float morph) { return smooth_ramp(morph); }

@@ -32,8 +32,10 @@ vec4 flat_map_over_footprint(vec2 uv) {
   return textureLod(flat_map, uv, 0.25 * log2(max(dot(dx, dx) * dot(dy, dy), 1.0e-12)));
 }
 
-// Strips of low or few blades leave gaps: what is seen there is not the floor but more grass.
-const float kSureOfStrips = 0.88;
+// Strips leave gaps, and blades whose feet have slid into rows hide one another: what is seen between them is not the floor but
+// more grass. Chosen for the least change of cover along the border sequences (bench/tier_borders.cpp).
+const float kSureOfStrips = 0.65;
+const float kLostBySliding = 0.6;
 
 // What the tiers above leave of the sward's cover to the ground. `standing` holds the shares of the optical depth that blades
 // and strips have, how far a line of sight goes on below the tops of strips, and how far the feet of blades have slid to
@@ -43,8 +45,9 @@ float cover_left(float optical_depth, vec4 standing, vec2 level_to_eye) {
   vec2 place = (from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m;
   bool crosses = any(notEqual(floor(place), floor(place + reach)));
   float crossing = clamp(abs(reach.x) + abs(reach.y), 1.0e-4, 1.0);  // the share of lines that do
-  float in_rows = mix(crossing, 1.0, standing.w);
-  float blades = optical_depth * standing.x;
+  // Feet that have slid by s have left a square of s² of the tile.
+  float in_rows = mix(crossing, 1.0, standing.w * standing.w);
+  float blades = optical_depth * standing.x * (1.0 - kLostBySliding * standing.w);
   float bare = crosses ? exp(-blades * in_rows / crossing) * (1.0 - kSureOfStrips * (1.0 - exp(-standing.y * optical_depth / crossing)))
                        : exp(-blades * (1.0 - in_rows) / max(1.0 - crossing, 1.0e-4));
   return clamp(1.0 - exp(-optical_depth) / max(bare, 1.0e-6), 0.0, 1.0);

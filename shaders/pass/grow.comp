@@ -98,7 +98,8 @@ void main() {
   float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
   vec3 normal = normalized(vec3(-ground.slope, 1.0f));
   float kept = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m, species.width_m);
-  float keep = kept * crowded_share(frame.lod, mean_density_per_m2(cell));
+  float crowded = crowded_share(frame.lod, mean_density_per_m2(cell));
+  float keep = kept * crowded;
   float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
   float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
 
@@ -115,8 +116,8 @@ void main() {
   Midrib midrib = curve_of(chain);
 #endif
   // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by, their mean does
-  // by its √n-th part. Those that are left out where it is crowded would mostly have been hidden.
-  float own_share = sqrt(area_left(frame.lod, kept));
+  // by its √n-th part. Of those that are left out where it is crowded about a half would have been hidden.
+  float own_share = sqrt(area_left(frame.lod, kept * sqrt(crowded)));
 
   vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
   float h = 1.0f / float(int(segments));

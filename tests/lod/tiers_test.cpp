@@ -57,10 +57,9 @@ TEST(TiersTest, CoarseMeshesKeepAreaAndLight) {
     const float t = (static_cast<float>(n) + 0.5f) / kSteps;
     const auto width = static_cast<double>(kernels.blade_profile(t)) / kSteps;
     area += width;
-    light += width * static_cast<double>(kernels.power6(t));
+    light += static_cast<double>(kernels.power6(t)) / kSteps;
     middle += width * static_cast<double>(t);
   }
-  light /= area;
   middle /= area;
   for (const int segments : {1, 2, 4, 8}) {
     const float h = 1.0f / static_cast<float>(segments);
@@ -75,10 +74,9 @@ TEST(TiersTest, CoarseMeshesKeepAreaAndLight) {
       const float upper = n * segments / kSteps == segments - 1 ? 1.0f : lower + h;
       const double width = between(kernels.mean_profile(lower, h), kernels.mean_profile(upper, h)) / kSteps;
       mesh_area += width;
-      mesh_light += width * between(kernels.mean_power6(lower, h), kernels.mean_power6(upper, h));
+      mesh_light += between(kernels.mean_power6(lower, h), kernels.mean_power6(upper, h)) / kSteps;
       mesh_middle += width * between(kernels.mean_place(lower, h), kernels.mean_place(upper, h));
     }
-    mesh_light /= mesh_area;
     mesh_middle /= mesh_area;
     std::printf("%d segments: area %+.1f %%, light %+.3f of 1, colour from %+.3f of the length\n", segments,
                 100.0 * (mesh_area / area - 1.0), mesh_light - light, mesh_middle - middle);
