@@ -85,20 +85,21 @@ LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_dista
   switch (quality) {
     case Quality::kLow:
       lod.a1 = 0.25f, lod.a2 = 0.20f, lod.a3 = 0.030f;
+      lod.grazing = 0.25f, lod.steep = 0.45f;
       break;
     case Quality::kMedium:
       lod.a1 = 0.20f, lod.a2 = 0.22f, lod.a3 = 0.017f;
+      lod.grazing = 0.13f, lod.steep = 0.26f;
       break;
     case Quality::kHigh:
       lod.a1 = 0.05f, lod.a2 = 0.05f, lod.a3 = 0.004f;
+      lod.grazing = 0.10f, lod.steep = 0.20f;
       break;
   }
   lod.fade = 0.4f;
   lod.reference_pixel = kReferencePixel;
   lod.widest_pixels = 2.0f;
   lod.crowded_per_m2 = 1400.0f;
-  lod.grazing = 0.25f;
-  lod.steep = 0.45f;
   // A finer picture shows more of a blade, and strips only look right where they are small.
   const double finer = camera.is_orthographic() ? 1.0 : static_cast<double>(kReferencePixel) / camera.pixel_m();
   const Bands bands = bands_of(quality);
