@@ -19,7 +19,7 @@ namespace {
 constexpr double kGroundFarM = 5000.0;
 // Where every blade is asked for and the field repeats endlessly, this is where it ends.
 constexpr double kAllBladesFarM = 1000.0;
-// How far a morphing tile lags behind the eye, as a share of its band.
+// How far a morphing tile lags behind the eye.
 constexpr float kPlay = 0.02f;
 // Strips nearer than this many of their sides follow the ground in several quads.
 constexpr double kNearStripSides = 10.0;
@@ -88,14 +88,16 @@ Planner::Planner(const Meadow& meadow)
   tallest_blade_m_ = *std::max_element(longest_m_.begin(), longest_m_.end());
 }
 
-float Planner::morph_of(const FramePlan& plan, std::uint64_t tile_key, float band, float n_dot_r) {
-  if (band > -kPlay && band < 1.0f + kPlay) {
-    if (const auto last = bands_.find(tile_key); last != bands_.end()) {
-      band = std::clamp(last->second, band - kPlay, band + kPlay);
+float Planner::morph_of(std::uint64_t tile_key, float band, float grazing) {
+  // Past 0 and 1 by the play, so that both are reached.
+  float morph = std::clamp(band, -kPlay, grazing < 1.0f ? 1.0f : 1.0f + kPlay) * grazing;
+  if (morph > -kPlay && morph < 1.0f + kPlay) {
+    if (const auto last = morphs_.find(tile_key); last != morphs_.end()) {
+      morph = std::clamp(last->second, morph - kPlay, morph + kPlay);
     }
-    next_bands_[tile_key] = band;
+    next_morphs_[tile_key] = morph;
   }
-  return Kernels{}.strip_morph(plan.lod, band, n_dot_r);
+  return std::clamp(morph, 0.0f, 1.0f);
 }
 
 FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
@@ -117,7 +119,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   MeshCells meshes;
   std::vector<StripTile> far_strips;
   CellTables tables;
-  next_bands_.clear();
+  next_morphs_.clear();
   TileSearch search(*meadow_, camera, plan.lod_eye_m, far_m, tallest_blade_m_);
   const std::size_t most_tiles = static_cast<std::size_t>(options.memory_budget_bytes / bytes_per_tile(lattice_));
   for (const SeenTile& seen : search.tiles(most_tiles)) {
@@ -130,7 +132,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
       const double distance_m = glm::length(to_eye_m);
       const float n_dot_r = glm::dot(meadow_->ground.normal(centre_m), glm::vec3(to_eye_m / distance_m));
       const float band = kernels.strip_band(plan.lod, static_cast<float>(distance_m));
-      morph = morph_of(plan, key_of(seen.id), band, n_dot_r);
+      morph = morph_of(key_of(seen.id), band, kernels.strip_grazing(plan.lod, n_dot_r));
       plan.morphs.push_back({seen.id.i, seen.id.j, morph});
       const float grown = kernels.strips_grown(morph);
       const double nearest_m = std::max(distance_m - meadow_->tile_m, 0.0);
@@ -201,7 +203,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   meshes.append_to(plan);
   plan.near_strips = static_cast<std::uint32_t>(plan.strips.size());
   plan.strips.insert(plan.strips.end(), far_strips.begin(), far_strips.end());
-  bands_.swap(next_bands_);
+  morphs_.swap(next_morphs_);
   return plan;
 }
 

@@ -34,17 +34,17 @@ class Planner {
   FramePlan plan(const Camera& camera, const PlanOptions& options);
 
   /// Makes the next plan a first one.
-  void forget() { bands_.clear(); }
+  void forget() { morphs_.clear(); }
 
  private:
-  float morph_of(const FramePlan& plan, std::uint64_t tile_key, float band, float n_dot_r);
+  float morph_of(std::uint64_t tile_key, float band, float grazing);
 
   const Meadow* meadow_;
   PlantingLattice lattice_;
   std::vector<double> longest_m_;  // blade of each species
   double tallest_blade_m_ = 0.0;
-  std::unordered_map<std::uint64_t, float> bands_;       // of the morphing tiles of the last plan
-  std::unordered_map<std::uint64_t, float> next_bands_;  // and of the plan being made
+  std::unordered_map<std::uint64_t, float> morphs_;       // of the morphing tiles of the last plan
+  std::unordered_map<std::uint64_t, float> next_morphs_;  // and of the plan being made
 };
 
 }  // namespace prairie

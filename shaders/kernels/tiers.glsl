@@ -6,11 +6,13 @@ float strip_band(LodCoefficients lod, float distance_m) {
   return (distance_m - lod.strip_start_m) / (lod.strip_end_m - lod.strip_start_m);
 }
 
-// How far a tile has morphed from 3D blades (0) to strips (1). `n_dot_r`: of its ground's normal and the direction to the eye.
-float strip_morph(LodCoefficients lod, float band, float n_dot_r) {
-  float grazing = 1.0f - smooth_ramp((n_dot_r - lod.grazing) / (lod.steep - lod.grazing));
-  return saturate(band) * grazing;
+// How far strips may stand for a slant: `n_dot_r` of the ground's normal and the direction to the eye.
+float strip_grazing(LodCoefficients lod, float n_dot_r) {
+  return 1.0f - smooth_ramp((n_dot_r - lod.grazing) / (lod.steep - lod.grazing));
 }
+
+// How far a tile has morphed from 3D blades (0) to strips (1).
+float strip_morph(LodCoefficients lod, float band, float n_dot_r) { return saturate(band) * strip_grazing(lod, n_dot_r); }
 
 // How far grass has sunk into the flat tier. Deviation: strips thin out, blade by blade, rather than sink; where they end they
 // are two or three pixels high, and sinking exchanged a whole row of a strip's pixels at once.
