@@ -8,27 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "shaders/kernels/kernels.h"
+#include "animation/chain_block.h"
 
 namespace prairie {
-
-using ChainVectors = Kernels::ChainVectors;
-using ChainMotion = Kernels::ChainMotion;
-using ChainTraits = Kernels::ChainTraits;
-
-/// State and traits of some blades, member by member. Vectors: x, y, z of the lowest segment, then of the
-/// next.
-struct alignas(64) ChainBlock {
-  static constexpr std::size_t kBlades = 16;
-  float turn_rad[12][kBlades];
-  float rate_rad_per_s[12][kBlades];
-  float rest[12][kBlades];  // directions of relaxed segments
-  float wind_m_per_s[3][kBlades];
-  float half_segment_m[kBlades];
-  float stiffness[kBlades];
-  float damping_ratio[kBlades];
-  float drag[kBlades];
-};
 
 /// A segment's drag in weights of a segment in wind of 1 m/s, k_w/(m g) of B11 §3.2 with k_w ∝ width:
 /// ½ρ c w 2l u₀^(2/3) for the exponent 4/3, which is the force on a stiff strip of drag coefficient `c` at u₀
@@ -54,6 +36,9 @@ class InertialChains {
 
   /// Directions of the segments, unit vectors, bottom-up.
   ChainVectors directions(std::size_t blade) const;
+
+  /// All blades; those of the last block beyond size() are upright and never looked at.
+  std::span<const ChainBlock> blocks() const { return blocks_; }
 
   /// Moves all blades on by `dt_s` > 0.
   void step(float dt_s);
