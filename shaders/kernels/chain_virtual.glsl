@@ -6,8 +6,8 @@
 // loads (chain_load) in world axes: a blade that leans with the wind then feels it less, as it does in the inertial model.
 // Moments tell of a load only what is across its segment; along it acts the wind alone. Loads are divided by the
 // virtual blade's κ, so that they bend stiff and soft blades of a species alike, as B11's moments do. Weight of upper
-// segments stays in, as everywhere here, and B11's three iterations for each segment from the root up are three of Newton's
-// steps for all: from twenty times the wind that moves a blade by a fifth of its length they leave nothing to gain.
+// segments stays in, as everywhere here. B11's three iterations for one segment after the other are three of Newton's steps
+// for all of them; ten more bring tips no nearer to those of inertial blades.
 
 // The part of `air` along t, and what of the moment weight does not hold: t × load = moment − t × (0, 0, −weight).
 vec3 held_load(vec3 t, vec3 moment, vec3 air, float weight) {
