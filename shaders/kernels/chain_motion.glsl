@@ -439,3 +439,25 @@ ChainMotion chain_after(ChainMotion now, ChainVectors rest, ChainTraits traits, 
   next.turn = within_half_turns(turn);
   return next;
 }
+
+// The direction in which a blade leaves the ground. A joint has half a radian for the half segment that sticks in it; a
+// foot that is bent further kinks, up to lying on the ground with the lowest segment, `first`.
+vec3 bent_foot(vec3 foot, vec3 first) {
+  precise float c = inner(foot, first);
+  vec3 across = normalized(foot - first * c);
+  // From cos ½ down the angle that stays falls from ½ to nothing at a right angle.
+  precise float kept = 0.5f * min(max(c * 1.1394939f, 0.0f), 1.0f);
+  precise float kept2 = kept * kept;
+  precise float sine_kept = kept * (1.0f - kept2 * (0.16666667f - kept2 * 0.0083333333f));
+  precise float cosine_kept = 1.0f - kept2 * (0.5f - kept2 * (0.041666668f - kept2 * 0.0013888889f));
+  precise vec3 kinked = first * cosine_kept + across * sine_kept;
+  return c >= 0.87758256f ? foot : kinked;
+}
+
+// A blade whose segments are turned out of their places at rest.
+BladeChain turned_chain(Blade blade, BladeCurve rest, float growth, ChainVectors turn) {
+  ChainRest relaxed = chain_rest(rest);
+  ChainVectors along = chain_directions(relaxed.along, turn);
+  precise float length_m = blade.height_m * growth;
+  return chain_through(rest, bent_foot(relaxed.foot, along.v1), along, rotated_by(relaxed.end, turn.v4), length_m);
+}

@@ -113,6 +113,5 @@ vec3 texel_tip(vec4 texel1, vec4 texel2, vec4 texel3) { return vec3(texel1.w, te
 BladeChain virtual_pose(Blade blade, BladeCurve rest, float growth, ChainVectors load) {
   ChainRest relaxed = chain_rest(rest);
   ChainVectors turn = virtual_turns(relaxed.along, load, 1.0f / max(blade.stiffness, softest_chain()));
-  precise float length_m = blade.height_m * growth;
-  return chain_through(rest, relaxed.foot, chain_directions(relaxed.along, turn), rotated_by(relaxed.end, turn.v4), length_m);
+  return turned_chain(blade, rest, growth, turn);
 }
