@@ -459,5 +459,9 @@ BladeChain turned_chain(Blade blade, BladeCurve rest, float growth, ChainVectors
   ChainRest relaxed = chain_rest(rest);
   ChainVectors along = chain_directions(relaxed.along, turn);
   precise float length_m = blade.height_m * growth;
-  return chain_through(rest, bent_foot(relaxed.foot, along.v1), along, rotated_by(relaxed.end, turn.v4), length_m);
+  BladeChain chain = chain_through(rest, bent_foot(relaxed.foot, along.v1), along, rotated_by(relaxed.end, turn.v4), length_m);
+  // A blade that is bent sideways turns its breadth with its middle, so that it is nowhere along the blade.
+  precise vec3 middle = (turn.v2 + turn.v3) * 0.5f;
+  chain.side = rotated_by(rest.side, middle);
+  return chain;
 }

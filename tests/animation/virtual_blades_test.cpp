@@ -147,6 +147,26 @@ TEST(VirtualBladesTest, DrawnBladesRestInCalmAirWhereTheyDidWithoutWind) {
   EXPECT_LE(inertial, 0.005);
 }
 
+TEST(VirtualBladesTest, BladesThatAreBentSidewaysKeepTheirBreadth) {
+  Kernels kernels;
+  for (int n = 0; n < 36; ++n) {
+    Blade blade{};
+    blade.height_m = 0.4f;
+    blade.curvature_rad = 0.5f;
+    blade.stiffness = 60.0f;
+    blade.azimuth_rad = static_cast<float>(10.0 * n * kRadPerDeg);
+    const auto rest = kernels.pose_blade(blade, {0.0f, 0.0f}, 1.0f);
+    const glm::vec3 wind(0.08f, 0.0f, 0.0f);
+    const auto chain = kernels.virtual_pose(blade, rest, 1.0f, {wind * 7.0f, wind * 5.0f, wind * 3.0f, wind});
+    EXPECT_GT(chain.p4.x, 0.6f * blade.height_m) << "bent far";
+    EXPECT_NEAR(glm::length(chain.side), 1.0f, 1e-4f);
+    for (int i = 0; i <= 20; ++i) {
+      const glm::vec3 along = glm::normalize(kernels.chain_derivative(chain, 0.05f * static_cast<float>(i)));
+      EXPECT_LT(std::abs(glm::dot(along, chain.side)), 0.9f);
+    }
+  }
+}
+
 TEST(VirtualBladesTest, AnyLoadLeavesABlade) {
   std::mt19937 random(7);
   Kernels kernels;
