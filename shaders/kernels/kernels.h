@@ -51,6 +51,8 @@ struct Kernels {
 #include "shaders/kernels/pose.glsl"
 #include "shaders/kernels/hermite.glsl"
 #include "shaders/kernels/chain.glsl"
+#include "shaders/kernels/chain_motion.glsl"
+#include "shaders/kernels/chain_virtual.glsl"
 #include "shaders/kernels/blade_surface.glsl"
 #include "shaders/kernels/color.glsl"
 #include "shaders/kernels/radiance.glsl"
