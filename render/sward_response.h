@@ -17,8 +17,8 @@
 // viewer's back, π looking towards it.
 //
 // Tufts need no correction: against planted blades, 100 to 2500 per m², seen ray by ray from 1° to 90°,
-// colour is off by 3.5 % at most and 1 % on average, cover by 0.012 (tests/render/sward_response_test.cpp).
-// Blades have 10 segments there; coarser meshes keep their area and light (shaders/kernels/blade_mesh.glsl).
+// colour is off by 4 % at most and 1 % on average, cover by 0.012 (tests/render/sward_response_test.cpp).
+// Blades have 16 segments there; coarser meshes keep their area and light (shaders/kernels/blade_mesh.glsl).
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -31,6 +31,6 @@ struct SwardPicture {
 
 /// Plants `side_m` × `side_m` of level ground, and looks at it from azimuth 0 (east). Rays lie `ray_m` apart.
 SwardPicture picture_of(std::span<const SwardLayer> layers, double side_m, double sin_elevation, double ray_m,
-                        int segments = 10, std::uint64_t seed = 3);
+                        int segments = 16, std::uint64_t seed = 3);
 
 }  // namespace prairie
