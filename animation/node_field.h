@@ -70,6 +70,8 @@ class NodeField {
     return found == pages_.end() ? nullptr : &found->second;
   }
 
+  Page* find_page(PageIndex page) { return const_cast<Page*>(std::as_const(*this).find_page(page)); }
+
   Node& touch(NodeIndex node) { return touch_page(page_of(node))[slot_of(node)]; }
 
   Node at(NodeIndex node) const {

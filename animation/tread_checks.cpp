@@ -26,6 +26,10 @@ void check(const std::string& field, Number number, double low, double high, con
   throw BadInput("", field, fmt::format("{}", value), fmt::format("{}, {} to {}", what, low, high));
 }
 
+std::string name_of(const TreadStep& step, const char* field) {
+  return fmt::format("body {}: {}", step.id, field);
+}
+
 }  // namespace
 
 const TreadSettings& checked(const TreadSettings& settings) {
@@ -55,17 +59,20 @@ void check_steps(std::span<const TreadStep> steps, std::span<const std::uint32_t
   const TreadStep* previous = nullptr;
   for (const std::uint32_t n : order) {
     const TreadStep& step = steps[n];
-    const auto name = [&](const char* field) { return fmt::format("body {}: {}", step.id, field); };
     if (previous != nullptr && previous->id == step.id) {
-      throw BadInput("", name("id"), "it twice", "one step of each body at a time");
+      throw BadInput("", name_of(step, "id"), "it twice", "one step of each body at a time");
     }
+    const auto number = [&](const char* field, double value, double low, double high, const char* what) {
+      // Names only where they are needed: this runs for every body in every step.
+      if (!within(value, low, high)) check(name_of(step, field), value, low, high, what);
+    };
     for (const double coordinate_m : {step.from_m.x, step.from_m.y, step.to_m.x, step.to_m.y}) {
-      check(name("position_m"), coordinate_m, -kFarthestM, kFarthestM, "metres");
+      number("position_m", coordinate_m, -kFarthestM, kFarthestM, "metres");
     }
-    const double length_m = std::hypot(step.to_m.x - step.from_m.x, step.to_m.y - step.from_m.y);
-    check(name("step_m"), length_m, 0.0, kLongestStepM, "metres");
-    check(name("radius_m"), step.radius_m, 0.01, 10.0, "metres");
-    check(name("weight"), step.weight, 0.0, 1000.0, "a number");
+    number("step_m", std::hypot(step.to_m.x - step.from_m.x, step.to_m.y - step.from_m.y), 0.0, kLongestStepM,
+           "metres");
+    number("radius_m", step.radius_m, 0.01, 10.0, "metres");
+    number("weight", step.weight, 0.0, 1000.0, "a number");
     previous = &step;
   }
 }

@@ -32,6 +32,12 @@ float recovered_share(const TreadNode& node, double time_s) {
   return std::clamp(passed_s / node.recovery_s, 0.0f, 1.0f);
 }
 
+float field_at(const TreadNode& node, double time_s) {
+  if (node.field == 0.0f) return 0.0f;
+  const float left = 1.0f - recovered_share(node, time_s);
+  return node.field * (left * left);
+}
+
 /// Load and wear make it longer.
 float recovery_time_s(const TreadSettings& settings, const TreadNode& node, float field, float wear) {
   const float load = field / (field + 2.0f * settings.field_scale);
@@ -49,14 +55,8 @@ Tread Tread::operator*(float factor) const {
   return {lean_rad * factor, tilt_rad * factor, wear * factor};
 }
 
-float worn_field(const TreadSettings& settings, float wear) {
-  return settings.worn_field * wear;
-}
-
 float field_of(const TreadNode& node, double time_s) {
-  if (node.field == 0.0f) return 0.0f;
-  const float left = 1.0f - recovered_share(node, time_s);
-  return node.field * (left * left);
+  return field_at(node, time_s);
 }
 
 double rest_time_s(const TreadNode& node) {
@@ -67,7 +67,7 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
            float& wear) {
   // Grass under a body does not rise: its recovery waits for the length of the step.
   if (push.held && node.field > 0.0f) node.start_s = std::min(node.start_s + (to_s - from_s), to_s);
-  const float before = field_of(node, to_s);
+  const float before = field_at(node, to_s);
 
   float added = push.field;
   glm::vec2 directed = push.directed;

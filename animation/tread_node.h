@@ -57,7 +57,9 @@ struct Tread {
 };
 
 /// F of the worn state.
-float worn_field(const TreadSettings& settings, float wear);
+inline float worn_field(const TreadSettings& settings, float wear) {
+  return settings.worn_field * wear;
+}
 
 /// F beyond that of the worn state at a time not before the node was last pressed; falls with time, 0 once it
 /// is at rest.

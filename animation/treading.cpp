@@ -13,6 +13,15 @@
 #include "animation/tread_checks.h"
 #include "shaders/kernels/kernels.h"
 
+// A second copy of the loops over nodes for AVX2, picked at run time; the results are the same, bit for bit
+// (-ffp-contract=off).
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define PRAIRIE_ROW __attribute__((noinline, flatten, target_clones("arch=x86-64-v3", "default")))
+#else
+#define PRAIRIE_ROW
+#endif
+
 namespace prairie {
 namespace {
 
@@ -77,12 +86,13 @@ void add_visits(const Path& path, std::uint32_t index, double spacing_m, std::ve
   }
 }
 
-/// What a page's bodies do to its nodes.
-using Pushes = std::array<TreadPush, kPageNodes * kPageNodes>;
+/// Nodes of a page, first to last of columns and rows.
+struct Box {
+  int first_i = kPageNodes, first_j = kPageNodes, last_i = -1, last_j = -1;
+};
 
-/// Adds a path's part to the nodes of the page.
-void add_pushes(const Path& path, PageIndex page, double spacing_m, Pushes& pushes) {
-  Kernels kernels;
+/// The nodes of the page that the path may reach.
+Box reached(const Path& path, PageIndex page, double spacing_m) {
   const NodeIndex corner = page.south_west();
   const auto first = [&](double low_m, int from) {
     return std::max(static_cast<int>(std::ceil(low_m / spacing_m)) - from, 0);
@@ -90,30 +100,82 @@ void add_pushes(const Path& path, PageIndex page, double spacing_m, Pushes& push
   const auto last = [&](double high_m, int from) {
     return std::min(static_cast<int>(std::floor(high_m / spacing_m)) - from, kPageNodes - 1);
   };
-  const int east_end = last(path.high_m.x, corner.i), north_end = last(path.high_m.y, corner.j);
-  for (int north = first(path.low_m.y, corner.j); north <= north_end; ++north) {
-    for (int east = first(path.low_m.x, corner.i); east <= east_end; ++east) {
-      const glm::dvec2 node_m = glm::dvec2(corner.i + east, corner.j + north) * spacing_m;
-      const glm::vec2 offset_m(node_m - path.from_m);
-      TreadPush& push = pushes[static_cast<std::size_t>(north * kPageNodes + east)];
-      const float along_m = path.forward.x * offset_m.x + path.forward.y * offset_m.y;
-      const float across_m = path.forward.x * offset_m.y - path.forward.y * offset_m.x;
-      const float beyond_m = along_m - std::clamp(along_m, 0.0f, path.length_m);
-      const float distance2 = beyond_m * beyond_m + across_m * across_m;
-      push.held |= distance2 <= path.radius_m * path.radius_m;
-      const float field =
-          path.weight * kernels.tread_field(along_m, across_m, path.length_m, path.radius_m, path.reach_m);
-      push.field += field;
-      push.directed += kernels.tread_direction(path.forward, across_m) * field;
-      if (!path.stands) continue;
-      const glm::vec2 away_m(node_m - path.to_m);
-      const float distance_m = std::sqrt(away_m.x * away_m.x + away_m.y * away_m.y);
-      const float standing = path.weight * kernels.standing_field(distance_m, path.radius_m, path.reach_m);
-      if (standing > push.standing) {
-        push.standing = standing;
-        push.outward = distance_m > 0.0f ? away_m / distance_m : glm::vec2(0.0f);
-      }
+  return {first(path.low_m.x, corner.i), first(path.low_m.y, corner.j), last(path.high_m.x, corner.i),
+          last(path.high_m.y, corner.j)};
+}
+
+/// What a page's bodies do to its nodes (TreadPush), an array for each number so that compilers take several
+/// nodes at once.
+struct Pushes {
+  using Numbers = std::array<float, kPageNodes * kPageNodes>;
+  Numbers field, directed_east, directed_north, held, standing, outward_east, outward_north;
+
+  void clear_row(std::size_t first, std::size_t count) {
+    for (Numbers* numbers :
+         {&field, &directed_east, &directed_north, &held, &standing, &outward_east, &outward_north}) {
+      std::fill_n(numbers->begin() + static_cast<std::ptrdiff_t>(first), count, 0.0f);
     }
+  }
+
+  bool touches(std::size_t slot) const { return field[slot] + held[slot] + standing[slot] > 0.0f; }
+
+  TreadPush at(std::size_t slot) const {
+    return {field[slot],
+            {directed_east[slot], directed_north[slot]},
+            standing[slot],
+            {outward_east[slot], outward_north[slot]},
+            held[slot] > 0.0f};
+  }
+};
+
+/// Adds a path's part to `count` nodes from `slot` on, eastward from `offset_m` relative to the path's start.
+inline void add_row(const Path& path, glm::vec2 offset_m, float spacing_m, std::size_t slot, int count,
+                    Pushes& pushes) {
+  Kernels kernels;
+  const float radius2 = path.radius_m * path.radius_m;
+  for (int n = 0; n < count; ++n) {
+    const std::size_t at = slot + static_cast<std::size_t>(n);
+    const float east_m = offset_m.x + spacing_m * static_cast<float>(n);
+    const float along_m = path.forward.x * east_m + path.forward.y * offset_m.y;
+    const float across_m = path.forward.x * offset_m.y - path.forward.y * east_m;
+    const float beyond_m = along_m - std::min(std::max(along_m, 0.0f), path.length_m);
+    const float distance2 = beyond_m * beyond_m + across_m * across_m;
+    const float field =
+        path.weight * kernels.tread_field(along_m, across_m, path.length_m, path.radius_m, path.reach_m);
+    const glm::vec2 direction = kernels.tread_direction(path.forward, across_m);
+    pushes.held[at] = distance2 <= radius2 ? 1.0f : pushes.held[at];
+    pushes.field[at] += field;
+    pushes.directed_east[at] += direction.x * field;
+    pushes.directed_north[at] += direction.y * field;
+  }
+}
+
+/// The same for what a body does that stands at `offset_m` from the first node.
+inline void add_standing_row(const Path& path, glm::vec2 offset_m, float spacing_m, std::size_t slot,
+                             int count, Pushes& pushes) {
+  Kernels kernels;
+  for (int n = 0; n < count; ++n) {
+    const std::size_t at = slot + static_cast<std::size_t>(n);
+    const float east_m = offset_m.x + spacing_m * static_cast<float>(n);
+    const float distance_m = std::sqrt(east_m * east_m + offset_m.y * offset_m.y);
+    const float standing = path.weight * kernels.standing_field(distance_m, path.radius_m, path.reach_m);
+    if (standing <= pushes.standing[at]) continue;
+    pushes.standing[at] = standing;
+    pushes.outward_east[at] = distance_m > 0.0f ? east_m / distance_m : 0.0f;
+    pushes.outward_north[at] = distance_m > 0.0f ? offset_m.y / distance_m : 0.0f;
+  }
+}
+
+PRAIRIE_ROW void add_pushes(const Path& path, PageIndex page, const Box& box, double spacing_m,
+                            Pushes& pushes) {
+  const NodeIndex corner = page.south_west();
+  const int count = box.last_i - box.first_i + 1;
+  for (int j = box.first_j; j <= box.last_j; ++j) {
+    const glm::dvec2 first_m = glm::dvec2(corner.i + box.first_i, corner.j + j) * spacing_m;
+    const std::size_t slot = static_cast<std::size_t>(j * kPageNodes + box.first_i);
+    const float step_m = static_cast<float>(spacing_m);
+    add_row(path, glm::vec2(first_m - path.from_m), step_m, slot, count, pushes);
+    if (path.stands) add_standing_row(path, glm::vec2(first_m - path.to_m), step_m, slot, count, pushes);
   }
 }
 
@@ -178,7 +240,7 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
   }
   std::sort(visits.begin(), visits.end());
 
-  // Pages are made here and written below, each by one thread.
+  // Every page is written by one thread; those that there are not yet are made before.
   struct Work {
     std::size_t first_visit, visits_end;
     NodeField<TreadNode>::Page* nodes;
@@ -189,29 +251,55 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
     const PageIndex page = visits[n].page;
     std::size_t end = n;
     while (end < visits.size() && visits[end].page == page) ++end;
-    work.push_back({n, end, &state_.nodes.touch_page(page), &state_.wear.touch_page(page)});
+    work.push_back({n, end, nullptr, nullptr});
     n = end;
   }
 
-  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, work.size(), 8),
-                            [&](const auto& range) {
-                              Pushes pushes;
-                              for (std::size_t n = range.begin(); n != range.end(); ++n) {
-                                pushes.fill({});
-                                const PageIndex page = visits[work[n].first_visit].page;
-                                for (std::size_t v = work[n].first_visit; v < work[n].visits_end; ++v) {
-                                  add_pushes(paths[visits[v].path], page, settings_.spacing_m, pushes);
-                                }
-                                for (std::size_t slot = 0; slot < pushes.size(); ++slot) {
-                                  const TreadPush& push = pushes[slot];
-                                  if (!push.held && push.field == 0.0f && push.standing == 0.0f) continue;
-                                  TreadNode& node = (*work[n].nodes)[slot];
-                                  if (node.blades_recovery_s == 0.0f)
-                                    node.blades_recovery_s = blades_recovery_s(page, slot);
-                                  press(settings_, push, from_s, to_s, node, (*work[n].wear)[slot]);
-                                }
-                              }
-                            });
+  const oneapi::tbb::blocked_range<std::size_t> all_work(0, work.size(), 8);
+  oneapi::tbb::parallel_for(all_work, [&](const auto& range) {
+    for (std::size_t n = range.begin(); n != range.end(); ++n) {
+      const PageIndex page = visits[work[n].first_visit].page;
+      work[n].nodes = state_.nodes.find_page(page);
+      work[n].wear = state_.wear.find_page(page);
+    }
+  });
+  for (Work& one : work) {
+    const PageIndex page = visits[one.first_visit].page;
+    if (one.nodes == nullptr) one.nodes = &state_.nodes.touch_page(page);
+    if (one.wear == nullptr) one.wear = &state_.wear.touch_page(page);
+  }
+
+  oneapi::tbb::parallel_for(all_work, [&](const auto& range) {
+    Pushes pushes;
+    for (std::size_t n = range.begin(); n != range.end(); ++n) {
+      const std::span<const Visit> visitors(&visits[work[n].first_visit],
+                                            work[n].visits_end - work[n].first_visit);
+      const PageIndex page = visitors.front().page;
+      Box all;
+      for (const Visit& visit : visitors) {
+        const Box box = reached(paths[visit.path], page, settings_.spacing_m);
+        if (box.first_i > box.last_i || box.first_j > box.last_j) continue;
+        all = {std::min(all.first_i, box.first_i), std::min(all.first_j, box.first_j),
+               std::max(all.last_i, box.last_i), std::max(all.last_j, box.last_j)};
+      }
+      if (all.first_i > all.last_i) continue;
+      const auto slot_at = [&](int j) { return static_cast<std::size_t>(j * kPageNodes + all.first_i); };
+      const std::size_t columns = static_cast<std::size_t>(all.last_i - all.first_i + 1);
+      for (int j = all.first_j; j <= all.last_j; ++j) pushes.clear_row(slot_at(j), columns);
+      for (const Visit& visit : visitors) {
+        const Path& path = paths[visit.path];
+        add_pushes(path, page, reached(path, page, settings_.spacing_m), settings_.spacing_m, pushes);
+      }
+      for (int j = all.first_j; j <= all.last_j; ++j) {
+        for (std::size_t slot = slot_at(j); slot < slot_at(j) + columns; ++slot) {
+          if (!pushes.touches(slot)) continue;
+          TreadNode& node = (*work[n].nodes)[slot];
+          if (node.blades_recovery_s == 0.0f) node.blades_recovery_s = blades_recovery_s(page, slot);
+          press(settings_, pushes.at(slot), from_s, to_s, node, (*work[n].wear)[slot]);
+        }
+      }
+    }
+  });
   state_.time_s = to_s;
 
   // Looking for pages at rest once a second is enough.
