@@ -59,6 +59,7 @@ struct Kernels {
 #include "shaders/kernels/blade_mesh.glsl"
 #include "shaders/kernels/tone.glsl"
 #include "shaders/kernels/tread.glsl"
+#include "shaders/kernels/wind_noise.glsl"
 };
 #undef precise
 

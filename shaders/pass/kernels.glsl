@@ -22,3 +22,4 @@
 #include "shaders/kernels/blade_mesh.glsl"
 #include "shaders/kernels/tone.glsl"
 #include "shaders/kernels/tread.glsl"
+#include "shaders/kernels/wind_noise.glsl"

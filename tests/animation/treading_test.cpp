@@ -56,7 +56,8 @@ TEST(TreadingTest, BladesLeanOutwardAndForward) {
     const Tread tread = treading.at({3, j});
     EXPECT_GT(tread.lean_rad.x, 0.0f) << j;
     EXPECT_GT(tread.lean_rad.y * (j > 0 ? 1.0f : -1.0f), 0.0f) << j;
-    EXPECT_NEAR(std::hypot(tread.lean_rad.x, tread.lean_rad.y), tread.tilt_rad, 0.03f) << "all but the worn part";
+    EXPECT_NEAR(std::hypot(tread.lean_rad.x, tread.lean_rad.y), tread.tilt_rad, 0.03f)
+        << "all but the worn part";
   }
 }
 
