@@ -21,8 +21,10 @@ struct WindSeries {
 
 class MeanWind {
  public:
+  /// Calm.
+  MeanWind() : MeanWind(glm::dvec2(0.0)) {}
   /// Throws BadInput where the speed is not in 0…100 m/s.
-  explicit MeanWind(glm::dvec2 velocity_m_per_s = glm::dvec2(0.0));
+  explicit MeanWind(glm::dvec2 velocity_m_per_s);
   /// Throws BadInput that names the sample and what was expected.
   explicit MeanWind(const WindSeries& series);
 
