@@ -26,6 +26,12 @@ float crushed_field(const TreadSettings& settings) {
   return 0.69314718f * settings.field_scale;
 }
 
+/// 1 − e^(−x) for x ≥ 0. A step wears little, and for that a few terms of the series are exact and faster.
+float grown_share(float x) {
+  if (x < 0.03125f) return x * (1.0f - x * (0.5f - x * (0.16666667f - x * 0.041666668f)));
+  return 1.0f - Kernels{}.falling_exponential(x);
+}
+
 /// Share of the recovery that has passed, 0…1.
 float recovered_share(const TreadNode& node, double time_s) {
   const float passed_s = static_cast<float>(time_s - node.start_s);
@@ -73,7 +79,7 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
   glm::vec2 directed = push.directed;
   if (const float missing = push.standing - (before + added); missing > 0.0f) {
     const float passed = static_cast<float>(to_s - from_s) / kPressingS;
-    const float pressed = missing * (1.0f - Kernels{}.falling_exponential(passed));
+    const float pressed = missing * grown_share(passed);
     added += pressed;
     directed += push.outward * (pressed * 1.41421356f);
   }
@@ -82,10 +88,9 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
 
   // Of the field, what becomes the worn state's does not count twice.
   const float unworn = 1.0f - wear;
-  const float new_wear =
-      1.0f - unworn * Kernels{}.falling_exponential(added / (kFieldOfPass * settings.wear_passes));
+  const float new_wear = wear + unworn * grown_share(added / (kFieldOfPass * settings.wear_passes));
   const float worn_more = std::max(worn_field(settings, new_wear) - worn_field(settings, wear), 0.0f);
-  wear = std::max(wear, new_wear);
+  wear = std::min(new_wear, 1.0f);
   const float after = std::min(before + std::max(added - worn_more, 0.0f), most_field(settings));
   if (!(after > 0.0f)) return;
 
