@@ -21,9 +21,10 @@ struct Place {
 };
 
 long double integrand(const Place& place, long double s) {
-  const long double x = s - static_cast<long double>(place.along_m);
-  const long double r2 = x * x + static_cast<long double>(place.across_m) * place.across_m +
-                         static_cast<long double>(place.radius_m) * place.radius_m;
+  const auto x = s - static_cast<long double>(place.along_m);
+  const auto y = static_cast<long double>(place.across_m);
+  const auto radius = static_cast<long double>(place.radius_m);
+  const long double r2 = x * x + y * y + radius * radius;
   return 1.0L / (r2 * std::sqrt(r2));
 }
 
@@ -51,7 +52,7 @@ long double adaptive(const Place& place, long double from, long double to, long 
 }
 
 double quadrature(const Place& place) {
-  const long double length = place.length_m;
+  const auto length = static_cast<long double>(place.length_m);
   return static_cast<double>(adaptive(place, 0.0L, length, by_five_points(place, 0.0L, length), 40));
 }
 
