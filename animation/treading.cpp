@@ -11,56 +11,13 @@
 #include <vector>
 
 #include "animation/tread_checks.h"
-#include "shaders/kernels/kernels.h"
-
-// A second copy of the loops over nodes for AVX2, picked at run time; the results are the same, bit for bit
-// (-ffp-contract=off).
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PRAIRIE_ROW __attribute__((noinline, flatten, target_clones("arch=x86-64-v3", "default")))
-#else
-#define PRAIRIE_ROW
-#endif
+#include "animation/tread_pushes.h"
 
 namespace prairie {
 namespace {
 
-// Slower than this a body stands.
-constexpr double kStandingMPerS = 1e-3;
-
 // Grass whose map says nothing less recovers in this time at the soonest.
 constexpr float kLeastRecoveryS = 0.1f;
-
-/// A step as its nodes need it.
-struct Path {
-  glm::dvec2 from_m;
-  glm::dvec2 low_m, high_m;  // box of what it reaches
-  glm::dvec2 to_m;
-  glm::vec2 forward;  // unit length
-  float length_m;
-  float radius_m;
-  float reach_m;
-  float weight;  // times radius²
-  bool stands;
-};
-
-Path path_of(const TreadStep& step, double reach_radii, double dt_s) {
-  Path path{};
-  path.from_m = step.from_m;
-  path.to_m = step.to_m;
-  const glm::dvec2 way_m = step.to_m - step.from_m;
-  const double length_m = glm::length(way_m);
-  const double reach_m = reach_radii * step.radius_m;
-  path.low_m = glm::min(step.from_m, step.to_m) - reach_m;
-  path.high_m = glm::max(step.from_m, step.to_m) + reach_m;
-  path.forward = length_m > 0.0 ? glm::vec2(way_m / length_m) : glm::vec2(1.0f, 0.0f);
-  path.length_m = static_cast<float>(length_m);
-  path.radius_m = static_cast<float>(step.radius_m);
-  path.reach_m = static_cast<float>(reach_m);
-  path.weight = static_cast<float>(step.weight * step.radius_m * step.radius_m);
-  path.stands = length_m <= kStandingMPerS * dt_s;
-  return path;
-}
 
 /// A page that a path may reach.
 struct Visit {
@@ -70,7 +27,7 @@ struct Visit {
   auto operator<=>(const Visit&) const = default;
 };
 
-void add_visits(const Path& path, std::uint32_t index, double spacing_m, std::vector<Visit>& visits) {
+void add_visits(const TreadPath& path, std::uint32_t index, double spacing_m, std::vector<Visit>& visits) {
   const PageIndex first = page_of(square_of(path.low_m, spacing_m).south_west);
   const PageIndex last = page_of(square_of(path.high_m, spacing_m).south_west);
   const double side_m = kPageNodes * spacing_m;
@@ -83,99 +40,6 @@ void add_visits(const Path& path, std::uint32_t index, double spacing_m, std::ve
       const double apart_m = glm::length(centre_m - along_m * forward);
       if (apart_m <= static_cast<double>(path.reach_m) + 0.71 * side_m) visits.push_back({{j, i}, index});
     }
-  }
-}
-
-/// Nodes of a page, first to last of columns and rows.
-struct Box {
-  int first_i = kPageNodes, first_j = kPageNodes, last_i = -1, last_j = -1;
-};
-
-/// The nodes of the page that the path may reach.
-Box reached(const Path& path, PageIndex page, double spacing_m) {
-  const NodeIndex corner = page.south_west();
-  const auto first = [&](double low_m, int from) {
-    return std::max(static_cast<int>(std::ceil(low_m / spacing_m)) - from, 0);
-  };
-  const auto last = [&](double high_m, int from) {
-    return std::min(static_cast<int>(std::floor(high_m / spacing_m)) - from, kPageNodes - 1);
-  };
-  return {first(path.low_m.x, corner.i), first(path.low_m.y, corner.j), last(path.high_m.x, corner.i),
-          last(path.high_m.y, corner.j)};
-}
-
-/// What a page's bodies do to its nodes (TreadPush), an array for each number so that compilers take several
-/// nodes at once.
-struct Pushes {
-  using Numbers = std::array<float, kPageNodes * kPageNodes>;
-  Numbers field, directed_east, directed_north, held, standing, outward_east, outward_north;
-
-  void clear_row(std::size_t first, std::size_t count) {
-    for (Numbers* numbers :
-         {&field, &directed_east, &directed_north, &held, &standing, &outward_east, &outward_north}) {
-      std::fill_n(numbers->begin() + static_cast<std::ptrdiff_t>(first), count, 0.0f);
-    }
-  }
-
-  bool touches(std::size_t slot) const { return field[slot] + held[slot] + standing[slot] > 0.0f; }
-
-  TreadPush at(std::size_t slot) const {
-    return {field[slot],
-            {directed_east[slot], directed_north[slot]},
-            standing[slot],
-            {outward_east[slot], outward_north[slot]},
-            held[slot] > 0.0f};
-  }
-};
-
-/// Adds a path's part to `count` nodes from `slot` on, eastward from `offset_m` relative to the path's start.
-inline void add_row(const Path& path, glm::vec2 offset_m, float spacing_m, std::size_t slot, int count,
-                    Pushes& pushes) {
-  Kernels kernels;
-  const float radius2 = path.radius_m * path.radius_m;
-  for (int n = 0; n < count; ++n) {
-    const std::size_t at = slot + static_cast<std::size_t>(n);
-    const float east_m = offset_m.x + spacing_m * static_cast<float>(n);
-    const float along_m = path.forward.x * east_m + path.forward.y * offset_m.y;
-    const float across_m = path.forward.x * offset_m.y - path.forward.y * east_m;
-    const float beyond_m = along_m - std::min(std::max(along_m, 0.0f), path.length_m);
-    const float distance2 = beyond_m * beyond_m + across_m * across_m;
-    const float field =
-        path.weight * kernels.tread_field(along_m, across_m, path.length_m, path.radius_m, path.reach_m);
-    const glm::vec2 direction = kernels.tread_direction(path.forward, across_m);
-    pushes.held[at] = distance2 <= radius2 ? 1.0f : pushes.held[at];
-    pushes.field[at] += field;
-    pushes.directed_east[at] += direction.x * field;
-    pushes.directed_north[at] += direction.y * field;
-  }
-}
-
-/// The same for what a body does that stands at `offset_m` from the first node.
-inline void add_standing_row(const Path& path, glm::vec2 offset_m, float spacing_m, std::size_t slot,
-                             int count, Pushes& pushes) {
-  Kernels kernels;
-  for (int n = 0; n < count; ++n) {
-    const std::size_t at = slot + static_cast<std::size_t>(n);
-    const float east_m = offset_m.x + spacing_m * static_cast<float>(n);
-    const float distance_m = std::sqrt(east_m * east_m + offset_m.y * offset_m.y);
-    const float standing = path.weight * kernels.standing_field(distance_m, path.radius_m, path.reach_m);
-    if (standing <= pushes.standing[at]) continue;
-    pushes.standing[at] = standing;
-    pushes.outward_east[at] = distance_m > 0.0f ? east_m / distance_m : 0.0f;
-    pushes.outward_north[at] = distance_m > 0.0f ? offset_m.y / distance_m : 0.0f;
-  }
-}
-
-PRAIRIE_ROW void add_pushes(const Path& path, PageIndex page, const Box& box, double spacing_m,
-                            Pushes& pushes) {
-  const NodeIndex corner = page.south_west();
-  const int count = box.last_i - box.first_i + 1;
-  for (int j = box.first_j; j <= box.last_j; ++j) {
-    const glm::dvec2 first_m = glm::dvec2(corner.i + box.first_i, corner.j + j) * spacing_m;
-    const std::size_t slot = static_cast<std::size_t>(j * kPageNodes + box.first_i);
-    const float step_m = static_cast<float>(spacing_m);
-    add_row(path, glm::vec2(first_m - path.from_m), step_m, slot, count, pushes);
-    if (path.stands) add_standing_row(path, glm::vec2(first_m - path.to_m), step_m, slot, count, pushes);
   }
 }
 
@@ -230,7 +94,7 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return steps[a].id < steps[b].id; });
   check_steps(steps, order);
 
-  std::vector<Path> paths;
+  std::vector<TreadPath> paths;
   paths.reserve(steps.size());
   std::vector<Visit> visits;
   for (const std::uint32_t n : order) {
@@ -270,24 +134,26 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
   }
 
   oneapi::tbb::parallel_for(all_work, [&](const auto& range) {
-    Pushes pushes;
+    PagePushes pushes;
     for (std::size_t n = range.begin(); n != range.end(); ++n) {
       const std::span<const Visit> visitors(&visits[work[n].first_visit],
                                             work[n].visits_end - work[n].first_visit);
       const PageIndex page = visitors.front().page;
-      Box all;
+      PageBox all;
+      bool one_stands = false;
       for (const Visit& visit : visitors) {
-        const Box box = reached(paths[visit.path], page, settings_.spacing_m);
+        const PageBox box = reached(paths[visit.path], page, settings_.spacing_m);
         if (box.first_i > box.last_i || box.first_j > box.last_j) continue;
+        one_stands |= paths[visit.path].stands;
         all = {std::min(all.first_i, box.first_i), std::min(all.first_j, box.first_j),
                std::max(all.last_i, box.last_i), std::max(all.last_j, box.last_j)};
       }
       if (all.first_i > all.last_i) continue;
       const auto slot_at = [&](int j) { return static_cast<std::size_t>(j * kPageNodes + all.first_i); };
       const std::size_t columns = static_cast<std::size_t>(all.last_i - all.first_i + 1);
-      for (int j = all.first_j; j <= all.last_j; ++j) pushes.clear_row(slot_at(j), columns);
+      pushes.clear(all.first_j, all.last_j, one_stands);
       for (const Visit& visit : visitors) {
-        const Path& path = paths[visit.path];
+        const TreadPath& path = paths[visit.path];
         add_pushes(path, page, reached(path, page, settings_.spacing_m), settings_.spacing_m, pushes);
       }
       for (int j = all.first_j; j <= all.last_j; ++j) {

@@ -29,7 +29,8 @@ TEST(WindTest, NodesHoldWhatPlacesHave) {
     for (int row = 0; row < 64; ++row) {
       for (int column = 0; column < 64; ++column) {
         const glm::dvec2 place_m(nodes.south_west.i + column, nodes.south_west.j + row);
-        ASSERT_EQ(values[static_cast<std::size_t>(row * 64 + column)], wind_m_per_s(wind, place_m, time_s)) << place_m.x << ' ' << place_m.y << ' ' << time_s;
+        ASSERT_EQ(values[static_cast<std::size_t>(row * 64 + column)], wind_m_per_s(wind, place_m, time_s))
+            << place_m.x << ' ' << place_m.y << ' ' << time_s;
       }
     }
   }
