@@ -4,16 +4,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "animation/vector_stage.h"
 #include "shaders/kernels/kernels.h"
-
-// A second copy of the loops over nodes for AVX2, picked at run time; the results are the same, bit for bit
-// (-ffp-contract=off).
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PRAIRIE_ROW __attribute__((noinline, flatten, target_clones("arch=x86-64-v3", "default")))
-#else
-#define PRAIRIE_ROW
-#endif
 
 namespace prairie {
 namespace {
@@ -91,8 +83,8 @@ PageBox reached(const TreadPath& path, PageIndex page, double spacing_m) {
           last(path.high_m.y, corner.j)};
 }
 
-PRAIRIE_ROW void add_pushes(const TreadPath& path, PageIndex page, const PageBox& box, double spacing_m,
-                            PagePushes& pushes) {
+PRAIRIE_VECTOR_STAGE void add_pushes(const TreadPath& path, PageIndex page, const PageBox& box,
+                                     double spacing_m, PagePushes& pushes) {
   const NodeIndex corner = page.south_west();
   const int count = box.last_i - box.first_i + 1;
   for (int j = box.first_j; j <= box.last_j; ++j) {
