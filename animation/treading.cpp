@@ -43,6 +43,17 @@ void add_visits(const TreadPath& path, std::uint32_t index, double spacing_m, st
   }
 }
 
+/// Asks for memory that is needed soon.
+void fetch(const TreadNode* nodes, std::size_t count) {
+#if defined(__GNUC__)
+  constexpr std::size_t kLine = 64 / sizeof(TreadNode);
+  for (std::size_t n = 0; n < count; n += kLine) __builtin_prefetch(nodes + n, 1);
+  __builtin_prefetch(nodes + count - 1, 1);
+#else
+  static_cast<void>(nodes), static_cast<void>(count);
+#endif
+}
+
 /// Calls `visit(slot, index)` for every node of the page in the rectangle: its place in the page and in the
 /// rectangle.
 template <class Visitor>
@@ -151,6 +162,8 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
       if (all.first_i > all.last_i) continue;
       const auto slot_at = [&](int j) { return static_cast<std::size_t>(j * kPageNodes + all.first_i); };
       const std::size_t columns = static_cast<std::size_t>(all.last_i - all.first_i + 1);
+      // Nodes of a wide meadow are not in the cache: they are fetched while the pushes are summed.
+      for (int j = all.first_j; j <= all.last_j; ++j) fetch(&(*work[n].nodes)[slot_at(j)], columns);
       pushes.clear(all.first_j, all.last_j, one_stands);
       for (const Visit& visit : visitors) {
         const TreadPath& path = paths[visit.path];
