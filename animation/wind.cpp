@@ -33,21 +33,21 @@ void fill_wind(const Wind& wind, const WindNodes& nodes, double time_s, std::spa
 
   // The columns and rows that each primitive covers now.
   struct Part {
-    const WindPrimitive* primitive;
+    BlowingPrimitive primitive;
     int first_column, last_column, first_row, last_row;
   };
   std::vector<Part> parts;
   for (const WindPrimitive& primitive : wind.primitives) {
-    const std::optional<Covered> box = covered(primitive, time_s);
-    if (!box) continue;
+    const std::optional<BlowingPrimitive> now = blowing(primitive, time_s);
+    if (!now) continue;
     const auto first = [&](double from_m, double at_m) {
       return static_cast<int>(std::clamp(std::ceil((at_m - from_m) / nodes.spacing_m), 0.0, 1e9));
     };
     const auto last = [&](double from_m, double at_m, int count) {
       return static_cast<int>(std::clamp(std::floor((at_m - from_m) / nodes.spacing_m), -1.0, count - 1.0));
     };
-    const Part part{&primitive, first(low_m.x, box->low_m.x), last(low_m.x, box->high_m.x, nodes.columns),
-                    first(low_m.y, box->low_m.y), last(low_m.y, box->high_m.y, nodes.rows)};
+    const Part part{*now, first(low_m.x, now->low_m.x), last(low_m.x, now->high_m.x, nodes.columns),
+                    first(low_m.y, now->low_m.y), last(low_m.y, now->high_m.y, nodes.rows)};
     if (part.first_column <= part.last_column && part.first_row <= part.last_row) parts.push_back(part);
   }
 
@@ -68,7 +68,7 @@ void fill_wind(const Wind& wind, const WindNodes& nodes, double time_s, std::spa
       for (const Part& part : parts) {
         if (row < part.first_row || row > part.last_row) continue;
         for (int column = part.first_column; column <= part.last_column; ++column) {
-          out[static_cast<std::size_t>(column)] += velocity_m_per_s(*part.primitive, place_m(column), time_s);
+          out[static_cast<std::size_t>(column)] += velocity_m_per_s(part.primitive, place_m(column));
         }
       }
     }

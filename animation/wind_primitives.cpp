@@ -36,90 +36,80 @@ float inside(double distance, double outer) {
   return 1.0f - ramp((distance / outer - kFadeFrom) / (1.0 - kFadeFrom));
 }
 
-// Where a gust is along its way, and how strong it still is.
-struct Front {
-  double at_m;
-  float strength;
-};
+using Blowing = BlowingPrimitive;
 
-std::optional<Front> front_of(const Gust& gust, double time_s) {
+std::optional<Blowing> at_time(const Gust& gust, double time_s) {
   const double at_m = gust.travel_m_per_s * (time_s - gust.start_s);
   if (at_m <= 0.0 || at_m >= gust.way_m) return std::nullopt;
+  Blowing now{};
   const double fade_m = std::min(gust.depth_m, 0.5 * gust.way_m);
-  return Front{at_m, ramp(at_m / fade_m) * ramp((gust.way_m - at_m) / fade_m)};
+  now.strength = ramp(at_m / fade_m) * ramp((gust.way_m - at_m) / fade_m);
+  now.forward = direction_of(gust.heading_rad);
+  now.centre_m = gust.origin_m + at_m * now.forward;
+  const glm::dvec2 tail_m = now.centre_m - gust.depth_m * now.forward;
+  const glm::dvec2 side_m = 0.5 * gust.width_m * glm::abs(glm::dvec2(now.forward.y, now.forward.x));
+  now.low_m = glm::min(now.centre_m, tail_m) - side_m;
+  now.high_m = glm::max(now.centre_m, tail_m) + side_m;
+  return now;
 }
 
-glm::vec2 velocity(const Gust& gust, glm::dvec2 position_m, double time_s) {
-  const std::optional<Front> front = front_of(gust, time_s);
-  if (!front) return glm::vec2(0.0f);
-  const glm::dvec2 forward = direction_of(gust.heading_rad);
-  const glm::dvec2 from_m = position_m - gust.origin_m;
-  const double behind = (front->at_m - glm::dot(from_m, forward)) / gust.depth_m;
-  const double across_m = std::abs(forward.x * from_m.y - forward.y * from_m.x);
+glm::vec2 velocity(const Gust& gust, const Blowing& now, glm::dvec2 position_m) {
+  const glm::dvec2 from_m = position_m - now.centre_m;
+  const double behind = -glm::dot(from_m, now.forward) / gust.depth_m;
+  const double across_m = std::abs(now.forward.x * from_m.y - now.forward.y * from_m.x);
   if (behind <= 0.0 || behind >= 1.0 || across_m >= 0.5 * gust.width_m) return glm::vec2(0.0f);
   const float along = ramp(behind / kRise) * (1.0f - ramp((behind - kRise) / (1.0 - kRise)));
-  const float mask = along * inside(across_m, 0.5 * gust.width_m) * front->strength;
-  return glm::vec2(forward * gust.strength_m_per_s) * mask;
+  const float mask = along * inside(across_m, 0.5 * gust.width_m) * now.strength;
+  return glm::vec2(now.forward * gust.strength_m_per_s) * mask;
 }
 
-std::optional<Covered> covered_by(const Gust& gust, double time_s) {
-  const std::optional<Front> front = front_of(gust, time_s);
-  if (!front) return std::nullopt;
-  const glm::dvec2 forward = direction_of(gust.heading_rad);
-  const glm::dvec2 tip_m = gust.origin_m + front->at_m * forward, tail_m = tip_m - gust.depth_m * forward;
-  const glm::dvec2 side_m = 0.5 * gust.width_m * glm::abs(glm::dvec2(forward.y, forward.x));
-  return Covered{glm::min(tip_m, tail_m) - side_m, glm::max(tip_m, tail_m) + side_m};
-}
-
-glm::dvec2 eye_of(const Tornado& tornado, double time_s) {
+std::optional<Blowing> at_time(const Tornado& tornado, double time_s) {
   const double age_s = time_s - tornado.start_s;
+  if (age_s <= 0.0 || age_s >= tornado.duration_s) return std::nullopt;
+  Blowing now{};
+  const double come_up_s = std::min(kComeUpS, 0.5 * tornado.duration_s);
+  now.strength = ramp(age_s / come_up_s) * ramp((tornado.duration_s - age_s) / come_up_s);
+  now.forward = direction_of(tornado.heading_rad);
   const double phase = static_cast<double>(Kernels{}.unit_from_u32(Kernels{}.hash_u32(tornado.seed)));
   const double turns = age_s / tornado.wander_s;
   const glm::dvec2 wander(sine_of_turns(turns + phase), sine_of_turns(turns / kGolden + kGolden * phase));
-  return tornado.origin_m + tornado.travel_m_per_s * age_s * direction_of(tornado.heading_rad) +
-         tornado.wander_m * wander;
+  now.centre_m = tornado.origin_m + tornado.travel_m_per_s * age_s * now.forward + tornado.wander_m * wander;
+  now.low_m = now.centre_m - tornado.reach_m;
+  now.high_m = now.centre_m + tornado.reach_m;
+  return now;
 }
 
-bool blows(const Tornado& tornado, double time_s) {
-  return time_s > tornado.start_s && time_s < tornado.start_s + tornado.duration_s;
-}
-
-glm::vec2 velocity(const Tornado& tornado, glm::dvec2 position_m, double time_s) {
-  if (!blows(tornado, time_s)) return glm::vec2(0.0f);
-  const glm::dvec2 from_m = position_m - eye_of(tornado, time_s);
+glm::vec2 velocity(const Tornado& tornado, const Blowing& now, glm::dvec2 position_m) {
+  const glm::dvec2 from_m = position_m - now.centre_m;
   const double r_m = glm::length(from_m);
   if (r_m >= tornado.reach_m) return glm::vec2(0.0f);
-  const double come_up_s = std::min(kComeUpS, 0.5 * tornado.duration_s);
-  const float age = ramp((time_s - tornado.start_s) / come_up_s) *
-                    ramp((tornado.start_s + tornado.duration_s - time_s) / come_up_s);
   const double q2 = glm::dot(from_m, from_m) / (tornado.radius_m * tornado.radius_m);
   // Speed by distance from the eye, where the direction is undefined and the speed is 0.
   const double turning_per_s = 2.0 * tornado.strength_m_per_s / (tornado.radius_m * (1.0 + q2));
   const double inflow_per_s = tornado.inflow * std::abs(turning_per_s);
   const glm::dvec2 v(-from_m.y * turning_per_s - from_m.x * inflow_per_s,
                      from_m.x * turning_per_s - from_m.y * inflow_per_s);
-  return glm::vec2(v) * (age * inside(r_m, tornado.reach_m));
+  return glm::vec2(v) * (now.strength * inside(r_m, tornado.reach_m));
 }
 
-std::optional<Covered> covered_by(const Tornado& tornado, double time_s) {
-  if (!blows(tornado, time_s)) return std::nullopt;
-  const glm::dvec2 eye_m = eye_of(tornado, time_s);
-  return Covered{eye_m - tornado.reach_m, eye_m + tornado.reach_m};
+std::optional<Blowing> at_time(const Breeze& breeze, double) {
+  constexpr double kEverywhere = 1e300;
+  const double reach_m = breeze.radius_m == 0.0 ? kEverywhere : breeze.radius_m;
+  Blowing now{};
+  now.strength = 1.0f;
+  now.forward = direction_of(breeze.heading_rad);
+  now.centre_m = breeze.origin_m;
+  now.low_m = breeze.origin_m - reach_m;
+  now.high_m = breeze.origin_m + reach_m;
+  return now;
 }
 
-glm::vec2 velocity(const Breeze& breeze, glm::dvec2 position_m, double time_s) {
-  const glm::dvec2 forward = direction_of(breeze.heading_rad);
-  const glm::dvec2 from_m = position_m - breeze.origin_m;
-  const double turns = time_s / breeze.period_s - glm::dot(from_m, forward) / breeze.wavelength_m;
+glm::vec2 velocity(const Breeze& breeze, const Blowing& now, glm::dvec2 position_m) {
+  const glm::dvec2 from_m = position_m - now.centre_m;
+  const double turns = now.time_s / breeze.period_s - glm::dot(from_m, now.forward) / breeze.wavelength_m;
   float strength = static_cast<float>(breeze.strength_m_per_s * (0.5 + 0.5 * sine_of_turns(turns)));
   if (breeze.radius_m > 0.0) strength *= inside(glm::length(from_m), breeze.radius_m);
-  return glm::vec2(forward) * strength;
-}
-
-std::optional<Covered> covered_by(const Breeze& breeze, double) {
-  constexpr double kEverywhere = 1e300;
-  if (breeze.radius_m == 0.0) return Covered{glm::dvec2(-kEverywhere), glm::dvec2(kEverywhere)};
-  return Covered{breeze.origin_m - breeze.radius_m, breeze.origin_m + breeze.radius_m};
+  return glm::vec2(now.forward) * strength;
 }
 
 /// Checks a primitive's numbers one by one.
@@ -184,12 +174,22 @@ void check(const WindPrimitive& primitive, const std::string& name) {
   std::visit([&](const auto& one) { check_one(one, Checker(name)); }, primitive);
 }
 
-glm::vec2 velocity_m_per_s(const WindPrimitive& primitive, glm::dvec2 position_m, double time_s) {
-  return std::visit([&](const auto& one) { return velocity(one, position_m, time_s); }, primitive);
+std::optional<BlowingPrimitive> blowing(const WindPrimitive& primitive, double time_s) {
+  std::optional<Blowing> now = std::visit([&](const auto& one) { return at_time(one, time_s); }, primitive);
+  if (now) {
+    now->primitive = &primitive;
+    now->time_s = time_s;
+  }
+  return now;
 }
 
-std::optional<Covered> covered(const WindPrimitive& primitive, double time_s) {
-  return std::visit([&](const auto& one) { return covered_by(one, time_s); }, primitive);
+glm::vec2 velocity_m_per_s(const BlowingPrimitive& blowing, glm::dvec2 position_m) {
+  return std::visit([&](const auto& one) { return velocity(one, blowing, position_m); }, *blowing.primitive);
+}
+
+glm::vec2 velocity_m_per_s(const WindPrimitive& primitive, glm::dvec2 position_m, double time_s) {
+  const std::optional<BlowingPrimitive> now = blowing(primitive, time_s);
+  return now ? velocity_m_per_s(*now, position_m) : glm::vec2(0.0f);
 }
 
 double end_s(const WindPrimitive& primitive) {

@@ -57,15 +57,22 @@ using WindPrimitive = std::variant<Gust, Tornado, Breeze>;
 /// Throws BadInput, `name` and the field in it, on a number that is not finite or out of range.
 void check(const WindPrimitive& primitive, const std::string& name);
 
-/// Velocity that it adds, m/s.
-glm::vec2 velocity_m_per_s(const WindPrimitive& primitive, glm::dvec2 position_m, double time_s);
-
-/// A box of the ground outside which the primitive does nothing at that time.
-struct Covered {
-  glm::dvec2 low_m, high_m;
+/// A primitive at one time: what is the same for all places.
+struct BlowingPrimitive {
+  const WindPrimitive* primitive;  // has to outlive this
+  double time_s;
+  glm::dvec2 forward;        // unit vector of the heading
+  glm::dvec2 centre_m;       // of a gust's front, a tornado's eye, a breeze's disc
+  float strength;            // by age, 0…1
+  glm::dvec2 low_m, high_m;  // box of the ground outside which it does nothing; ±1e300 if there is none
 };
-/// Nothing if it does nothing anywhere; all the ground as ±1e300.
-std::optional<Covered> covered(const WindPrimitive& primitive, double time_s);
+
+/// Nothing if it does nothing anywhere at that time.
+std::optional<BlowingPrimitive> blowing(const WindPrimitive& primitive, double time_s);
+
+/// Velocity that it adds, m/s.
+glm::vec2 velocity_m_per_s(const BlowingPrimitive& blowing, glm::dvec2 position_m);
+glm::vec2 velocity_m_per_s(const WindPrimitive& primitive, glm::dvec2 position_m, double time_s);
 
 /// From then on it does nothing; infinite for a breeze.
 double end_s(const WindPrimitive& primitive);

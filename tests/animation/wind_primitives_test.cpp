@@ -49,7 +49,7 @@ TEST(WindPrimitivesTest, NothingOutsideWhatTheyCover) {
     for (int n = 0; n < 40000; ++n) {
       const glm::dvec2 position_m(place(random), place(random));
       const double time_s = when(random);
-      const auto box = covered(primitive, time_s);
+      const auto box = blowing(primitive, time_s);
       const bool inside = box && position_m.x >= box->low_m.x && position_m.y >= box->low_m.y &&
                           position_m.x <= box->high_m.x && position_m.y <= box->high_m.y;
       const float speed = speed_of(primitive, position_m, time_s);
