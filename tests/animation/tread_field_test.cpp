@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <random>
 
 #include "shaders/kernels/kernels.h"
@@ -81,6 +82,8 @@ struct Region {
   const char* name;
   double along_min, along_max, across_min, across_max;
 };
+
+void PrintTo(const Region& region, std::ostream* out) { *out << region.name; }
 
 class TreadFieldTest : public testing::TestWithParam<Region> {};
 
