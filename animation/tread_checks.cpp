@@ -37,7 +37,7 @@ const TreadSettings& checked(const TreadSettings& settings) {
     check(std::string("treading.") + name, value, low, high, "a number");
   };
   number("spacing_m", settings.spacing_m, 0.05, 0.5);
-  number("reach_radii", settings.reach_radii, 1.0, 20.0);
+  number("reach_radii", settings.reach_radii, 1.0, 6.0);
   number("field_scale", settings.field_scale, 0.01, 10.0);
   number("most_tilt_rad", settings.most_tilt_rad, 0.1, 1.5707);
   number("recovery_s", settings.recovery_s, 0.1, static_cast<double>(kMostRecoveryS));
@@ -71,7 +71,7 @@ void check_steps(std::span<const TreadStep> steps, std::span<const std::uint32_t
     }
     number("step_m", std::hypot(step.to_m.x - step.from_m.x, step.to_m.y - step.from_m.y), 0.0, kLongestStepM,
            "metres");
-    number("radius_m", step.radius_m, 0.01, 10.0, "metres");
+    number("radius_m", step.radius_m, 0.01, 5.0, "metres");
     number("weight", step.weight, 0.0, 1000.0, "a number");
     previous = &step;
   }

@@ -16,7 +16,7 @@ namespace prairie {
 
 struct TreadSettings {
   double spacing_m = 0.125;  // of the nodes, 0.05…0.5
-  double reach_radii = 3.0;  // how far a body reaches beyond its path, in its radii, 1…20
+  double reach_radii = 3.0;  // how far a body reaches beyond its path, in its radii, 1…6
   float field_scale = 0.6f;  // F0
   float most_tilt_rad = 1.45f;
   double recovery_s = 60.0;   // of lightly pressed, unworn grass, where no map says otherwise

@@ -25,7 +25,7 @@ struct TreadStep {
   std::uint32_t id = 0;  // one step of each body at a time
   glm::dvec2 from_m{0.0};
   glm::dvec2 to_m{0.0};   // at most 100 m from `from_m`
-  double radius_m = 0.1;  // 0.01…10
+  double radius_m = 0.1;  // 0.01…5
   double weight = 1.0;    // how heavily it presses: 0 not at all, 1 as a walker
 };
 

@@ -39,6 +39,7 @@ TEST(BadTreadsTest, RefusesBadSteps) {
   };
   refused([](TreadStep& step) { step.radius_m = -0.1; }, "body 7: radius_m");
   refused([](TreadStep& step) { step.radius_m = 0.0; }, "body 7: radius_m");
+  refused([](TreadStep& step) { step.radius_m = 1e6; }, "body 7: radius_m");
   refused([](TreadStep& step) { step.radius_m = kNan; }, "body 7: radius_m");
   refused([](TreadStep& step) { step.to_m.x = kNan; }, "body 7: position_m");
   refused([](TreadStep& step) { step.from_m.y = 1e30; }, "body 7: position_m");
