@@ -18,6 +18,12 @@ std::vector<Measurement> bench_blade_motion(const BenchOptions& options);
 /// buffers.
 std::vector<Measurement> bench_planting_gpu(const BenchOptions& options);
 
+/// Milliseconds, median, of a step in which 1000 bodies tread.
+std::vector<Measurement> bench_treading(const BenchOptions& options);
+
+/// Milliseconds, median, in which 64 × 64 nodes of wind are filled: mean, noise, a gust, a tornado and a breeze.
+std::vector<Measurement> bench_wind_nodes(const BenchOptions& options);
+
 // A walk over a square kilometre of a billion blades (bench/scale_scene.h):
 /// how long its frames take, what stands in which tier;
 std::vector<Measurement> bench_scale_walk(const BenchOptions& options);
