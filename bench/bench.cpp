@@ -18,7 +18,10 @@ struct Bench {
 const std::vector<Bench>& benches() {
   static const std::vector<Bench> all = {
       {bench_planting_cpu, {"planting.cpu_blades_per_s_core"}},
+      {bench_blade_motion, {"inertial.step_ms_100k", "virtual.step_ms_64x64"}},
       {bench_planting_gpu, {"planting.gpu_ns_per_blade"}},
+      {bench_treading, {"treading.step_ms_1000"}},
+      {bench_wind_nodes, {"wind.nodes_ms_64x64"}},
       {bench_scale_walk,
        {"scale.ground", "scale.frame_ms_median", "scale.frame_ms_p95", "scale.probe_ms",
         "scale.frame_per_probe", "scale.plan_ms", "scale.blades_in_scene", "scale.blades_planted_in_view",

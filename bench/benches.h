@@ -10,9 +10,19 @@ namespace prairie {
 /// Blades per second that one core plants on a meadow whose density varies from node to node.
 std::vector<Measurement> bench_planting_cpu(const BenchOptions& options);
 
+/// Milliseconds, median, of a step of 100 000 inertial blades, and of 64 × 64 virtual blades with the loads
+/// that they leave for drawn ones.
+std::vector<Measurement> bench_blade_motion(const BenchOptions& options);
+
 /// Nanoseconds that a blade takes to be planted and stored by the compute shader, median of full storage
 /// buffers.
 std::vector<Measurement> bench_planting_gpu(const BenchOptions& options);
+
+/// Milliseconds, median, of a step in which 1000 bodies tread.
+std::vector<Measurement> bench_treading(const BenchOptions& options);
+
+/// Milliseconds, median, in which 64 × 64 nodes of wind are filled: mean, noise, a gust, a tornado and a breeze.
+std::vector<Measurement> bench_wind_nodes(const BenchOptions& options);
 
 // A walk over a square kilometre of a billion blades (bench/scale_scene.h):
 /// how long its frames take, what stands in which tier;

@@ -114,8 +114,14 @@ ChainVectors chain_step(ChainVectors turns, ChainVectors shape, ChainVectors loa
   return result;
 }
 
-// The chain under a force on each segment, in weights of a segment.
-BladeChain chain_under(Blade blade, BladeCurve rest, float growth, ChainVectors force) {
+// A blade with relaxed springs: the directions of its foot and its segments, and of the arc's end at the tip.
+struct ChainRest {
+  vec3 foot;
+  ChainVectors along;
+  vec3 end;
+};
+
+ChainRest chain_rest(BladeCurve rest) {
   // Directions of foot and chord, which are half the arc's turning apart, and by halving twice those of the segments.
   vec3 d = normalized(rest.base_tangent_m);
   vec3 p = outer(rest.side, d);
@@ -139,14 +145,18 @@ BladeChain chain_under(Blade blade, BladeCurve rest, float growth, ChainVectors 
   precise vec3 rest3 = d * c3 + p * s3;
   precise vec3 rest4 = d * c4 + p * s4;
   precise vec3 rest_end = d * c_end + p * s_end;
-  ChainVectors relaxed;
-  relaxed.v1 = rest1;
-  relaxed.v2 = rest2;
-  relaxed.v3 = rest3;
-  relaxed.v4 = rest4;
+  ChainRest result;
+  result.foot = d;
+  result.along.v1 = rest1;
+  result.along.v2 = rest2;
+  result.along.v3 = rest3;
+  result.along.v4 = rest4;
+  result.end = rest_end;
+  return result;
+}
 
-  ChainVectors load = chain_load(force);
-  float compliance = 1.0f / max(blade.stiffness, softest_chain());
+// The rotations of the segments that hold a load (chain_load), in weights of a segment.
+ChainVectors chain_turns(ChainVectors relaxed, ChainVectors load, float compliance) {
   ChainVectors turns;
   turns.v1 = vec3(0.0f, 0.0f, 0.0f);
   turns.v2 = turns.v1;
@@ -154,16 +164,15 @@ BladeChain chain_under(Blade blade, BladeCurve rest, float growth, ChainVectors 
   turns.v4 = turns.v1;
   turns = chain_step(turns, relaxed, load, compliance);
   ChainVectors shape = chain_turned(relaxed, turns);
-  turns = chain_step(turns, shape, load, compliance);
-  shape = chain_turned(relaxed, turns);
-  // No moment acts on the tip: what bends beyond the middle of the uppermost segment is the rest shape.
-  vec3 end = turned(rest_end, turns.v4);
+  return chain_step(turns, shape, load, compliance);
+}
 
+// The curve through a chain of this shape; `d` and `end` are its directions at root and tip.
+BladeChain chain_through(BladeCurve rest, vec3 d, ChainVectors shape, vec3 end, float length_m) {
   // A curve of length s that turns by τ has a chord of s (1 − τ²/24); the mean square of the four segments' turnings by
   // the trapezoidal rule from those at the joints, |Δt|² = 2 − 2 t·t'.
   precise float bends = inner(shape.v1, shape.v2) + inner(shape.v2, shape.v3) + inner(shape.v3, shape.v4);
   precise float turning2 = 3.5f - inner(d, shape.v1) - 0.5f * bends - inner(shape.v4, end);
-  precise float length_m = blade.height_m * growth;
   precise float segment_m = 0.25f * length_m * (1.0f - turning2 * 0.041666668f);
 
   // Clamped cubic spline: m_{i−1} + 4 m_i + m_{i+1} = 12 (p_{i+1} − p_{i−1}).
@@ -193,6 +202,18 @@ BladeChain chain_under(Blade blade, BladeCurve rest, float growth, ChainVectors 
   chain.p3 = p3;
   chain.p4 = p4;
   return chain;
+}
+
+// The chain under a force on each segment, in weights of a segment.
+BladeChain chain_under(Blade blade, BladeCurve rest, float growth, ChainVectors force) {
+  ChainRest relaxed = chain_rest(rest);
+  float compliance = 1.0f / max(blade.stiffness, softest_chain());
+  ChainVectors turns = chain_turns(relaxed.along, chain_load(force), compliance);
+  ChainVectors shape = chain_turned(relaxed.along, turns);
+  // No moment acts on the tip: what bends beyond the middle of the uppermost segment is the rest shape.
+  vec3 end = turned(relaxed.end, turns.v4);
+  precise float length_m = blade.height_m * growth;
+  return chain_through(rest, relaxed.foot, shape, end, length_m);
 }
 
 // The chain in calm air.

@@ -41,6 +41,7 @@ struct Kernels {
 #include "shaders/kernels/quarter.glsl"
 #include "shaders/kernels/interpolation.glsl"
 #include "shaders/kernels/trigonometry.glsl"
+#include "shaders/kernels/exponential.glsl"
 #include "shaders/kernels/warp.glsl"
 #include "shaders/kernels/clump.glsl"
 #include "shaders/kernels/cell_ground.glsl"
@@ -51,12 +52,16 @@ struct Kernels {
 #include "shaders/kernels/pose.glsl"
 #include "shaders/kernels/hermite.glsl"
 #include "shaders/kernels/chain.glsl"
+#include "shaders/kernels/chain_motion.glsl"
+#include "shaders/kernels/chain_virtual.glsl"
 #include "shaders/kernels/blade_surface.glsl"
 #include "shaders/kernels/color.glsl"
 #include "shaders/kernels/radiance.glsl"
 #include "shaders/kernels/lighting.glsl"
 #include "shaders/kernels/blade_mesh.glsl"
 #include "shaders/kernels/tone.glsl"
+#include "shaders/kernels/tread.glsl"
+#include "shaders/kernels/wind_noise.glsl"
 };
 #undef precise
 

@@ -1,0 +1,206 @@
+#include "animation/contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/quaternion_double.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace prairie {
+namespace {
+
+constexpr int kSegments = 4;
+constexpr int kPointsPerSegment = 8;  // of the drawn curve
+constexpr int kRounds = 12;           // of rods, then of the curve
+constexpr int kTurnsPerRod = 24;
+constexpr double kMostTurnRad = 0.4;
+constexpr double kAllowedDepthM = 0.5e-3;
+constexpr double kLookCloserM = 20e-3;  // more than a curve can near an edge between two of its points
+constexpr double kUnseenM = 2e-3;
+
+glm::dquat rotation_of(glm::dvec3 vector) {
+  const double angle = glm::length(vector);
+  return angle > 1e-12 ? glm::angleAxis(angle, vector / angle) : glm::dquat(1.0, 0.0, 0.0, 0.0);
+}
+
+glm::vec3 vector_of(glm::dquat q) {
+  if (q.w < 0.0) q = -q;
+  const glm::dvec3 v(q.x, q.y, q.z);
+  const double s = glm::length(v);
+  return glm::vec3(s > 1e-12 ? v * (2.0 * std::atan2(s, q.w) / s) : 2.0 * v);
+}
+
+/// The least rotation from one unit vector to another.
+glm::dquat between(glm::dvec3 from, glm::dvec3 to) {
+  const double c = glm::dot(from, to);
+  if (c < -0.999999) {
+    const glm::dvec3 aside = std::abs(from.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    return glm::angleAxis(3.14159265358979, glm::normalize(glm::cross(from, aside)));
+  }
+  const glm::dvec3 axis = glm::cross(from, to);
+  return glm::normalize(glm::dquat(1.0 + c, axis.x, axis.y, axis.z));
+}
+
+/// Where a function with one minimum has it: golden section.
+template <typename Function>
+double least(double low, double high, const Function& function) {
+  constexpr double kGolden = 0.6180339887498949;
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+  double at_a = function(a), at_b = function(b);
+  for (int n = 0; n < 16; ++n) {
+    if (at_a < at_b) {
+      high = b;
+      b = a;
+      at_b = at_a;
+      a = high - kGolden * (high - low);
+      at_a = function(a);
+    } else {
+      low = a;
+      a = b;
+      at_a = at_b;
+      b = low + kGolden * (high - low);
+      at_b = function(b);
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+class BentBlade {
+ public:
+  BentBlade(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
+            glm::dvec3 up, const ChainMotion& motion)
+      : solid_(solid), blade_(blade), rest_(rest), growth_(growth), up_(up) {
+    const ChainVectors along = Kernels{}.chain_rest(rest).along;
+    relaxed_ = {glm::dvec3(along.v1), glm::dvec3(along.v2), glm::dvec3(along.v3), glm::dvec3(along.v4)};
+    turn_ = {rotation_of(glm::dvec3(motion.turn.v1)), rotation_of(glm::dvec3(motion.turn.v2)),
+             rotation_of(glm::dvec3(motion.turn.v3)), rotation_of(glm::dvec3(motion.turn.v4))};
+  }
+
+  ChainVectors turns() const {
+    return {vector_of(turn_[0]), vector_of(turn_[1]), vector_of(turn_[2]), vector_of(turn_[3])};
+  }
+
+  /// How deep the deepest point of each segment of the drawn curve is in the solid, at least 0.
+  std::array<double, kSegments> depths_m() const {
+    const Kernels::BladeChain chain = drawn();
+    const auto distance_m = [&](double u) {
+      return separation(solid_, glm::dvec3(Kernels{}.chain_point(chain, static_cast<float>(u)))).distance_m;
+    };
+    constexpr double kSpacing = 1.0 / (kSegments * kPointsPerSegment);
+    std::array<double, kSegments> depth{};
+    for (int i = 0; i < kSegments; ++i) {
+      double nearest = 0.0, least_m = 1e30;
+      for (int n = i == 0 ? 1 : 0; n <= kPointsPerSegment; ++n) {
+        const double u = 0.25 * i + n * kSpacing, here_m = distance_m(u);
+        if (here_m < least_m) {
+          least_m = here_m;
+          nearest = u;
+        }
+      }
+      if (least_m < kLookCloserM) {
+        const double u =
+            least(std::max(nearest - kSpacing, 0.0), std::min(nearest + kSpacing, 1.0), distance_m);
+        least_m = std::min(least_m, distance_m(u));
+      }
+      depth[i] = std::max(-least_m, 0.0);
+    }
+    return depth;
+  }
+
+  /// Turns one rod after the other, with all above it, until each is as far from the solid as it should be.
+  void clear(const std::array<double, kSegments>& margin_m) {
+    const Kernels::BladeChain chain = drawn();
+    const double rod_m = glm::distance(glm::dvec3(chain.p0), glm::dvec3(chain.p1));
+    glm::dvec3 joint_m(chain.p0);
+    for (int i = 0; i < kSegments; ++i) {
+      clear_rod(i, joint_m, rod_m, margin_m[i]);
+      joint_m += direction(i) * rod_m;
+    }
+  }
+
+  /// Lays the blade on the ground, away from the solid.
+  void lay_down() {
+    const glm::dvec3 outward = separation(solid_, glm::dvec3(rest_.base_m)).outward;
+    glm::dvec3 heading = on_ground(outward);
+    if (glm::length(heading) < 0.1) heading = on_ground(direction(kSegments - 1));
+    if (glm::length(heading) < 1e-3) heading = on_ground(glm::dvec3(1.0, 0.3, 0.0));
+    heading = glm::normalize(heading);
+    for (int i = 0; i < kSegments; ++i) turn_[i] = between(direction(i), heading) * turn_[i];
+  }
+
+ private:
+  Kernels::BladeChain drawn() const { return Kernels{}.turned_chain(blade_, rest_, growth_, turns()); }
+  glm::dvec3 direction(int i) const { return turn_[i] * relaxed_[i]; }
+  glm::dvec3 on_ground(glm::dvec3 v) const { return v - up_ * glm::dot(up_, v); }
+
+  void point(int segment, glm::dvec3 to) {
+    const glm::dquat by = between(direction(segment), glm::normalize(to));
+    for (int i = segment; i < kSegments; ++i) turn_[i] = glm::normalize(by * turn_[i]);
+  }
+
+  void clear_rod(int segment, glm::dvec3 joint_m, double rod_m, double margin_m) {
+    for (int n = 0; n < kTurnsPerRod; ++n) {
+      const glm::dvec3 t = direction(segment);
+      if (glm::dot(t, up_) < 0.0) point(segment, on_ground(t) + up_ * 1e-9);
+      const auto [along_m, nearest] = nearest_on_rod(joint_m, direction(segment), rod_m);
+      const double missing_m = margin_m - nearest.distance_m;
+      if (missing_m <= 0.0) return;
+      const double turn_rad = std::min((missing_m + 0.02e-3) / along_m, kMostTurnRad);
+      glm::dvec3 aside = nearest.outward - direction(segment) * glm::dot(nearest.outward, direction(segment));
+      if (glm::length(aside) < 1e-6)
+        aside = glm::cross(direction(segment), up_ + glm::dvec3(1e-3, 2e-3, 0.0));
+      // The outward direction is across the rod but for its ends, where a turn gains less.
+      const double gain = std::max(glm::length(aside), 0.2);
+      point(segment,
+            direction(segment) + glm::normalize(aside) * std::tan(std::min(turn_rad / gain, kMostTurnRad)));
+    }
+  }
+
+  /// A rod's own foot, which no turn moves, is left out.
+  std::pair<double, Separation> nearest_on_rod(glm::dvec3 joint_m, glm::dvec3 t, double rod_m) const {
+    const auto distance_m = [&](double along_m) {
+      return separation(solid_, joint_m + t * along_m).distance_m;
+    };
+    double nearest_m = least(0.05 * rod_m, rod_m, distance_m);
+    if (distance_m(rod_m) < distance_m(nearest_m)) nearest_m = rod_m;
+    return {nearest_m, separation(solid_, joint_m + t * nearest_m)};
+  }
+
+  const Solid& solid_;
+  const Blade& blade_;
+  const Kernels::BladeCurve& rest_;
+  float growth_;
+  glm::dvec3 up_;
+  std::array<glm::dvec3, kSegments> relaxed_;
+  std::array<glm::dquat, kSegments> turn_;
+};
+
+}  // namespace
+
+bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
+              glm::vec3 up, ChainMotion& motion) {
+  const double length_m = static_cast<double>(blade.height_m * growth);
+  const double root_m = separation(solid, glm::dvec3(rest.base_m)).distance_m;
+  if (root_m > length_m * 1.05) return false;
+  BentBlade bent(solid, blade, rest, growth, glm::normalize(glm::dvec3(up)), motion);
+  if (root_m < kUnseenM) {
+    bent.lay_down();
+  } else {
+    std::array<double, kSegments> depth_m = bent.depths_m(), margin_m{};
+    const auto deepest = [&] { return *std::max_element(depth_m.begin(), depth_m.end()); };
+    if (deepest() <= kAllowedDepthM) return false;
+    for (int round = 0; round < kRounds && deepest() > kAllowedDepthM; ++round) {
+      bent.clear(margin_m);
+      depth_m = bent.depths_m();
+      for (int i = 0; i < kSegments; ++i) {
+        if (depth_m[i] > kAllowedDepthM) margin_m[i] += depth_m[i];
+      }
+    }
+  }
+  motion.turn = bent.turns();
+  motion.rate = ChainVectors{};
+  return true;
+}
+
+}  // namespace prairie

@@ -1,0 +1,243 @@
+#include "animation/treading.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <utility>
+#include <vector>
+
+#include "animation/tread_checks.h"
+#include "animation/tread_pushes.h"
+
+namespace prairie {
+namespace {
+
+// Grass whose map says nothing less recovers in this time at the soonest.
+constexpr float kLeastRecoveryS = 0.1f;
+
+/// A page that a path may reach.
+struct Visit {
+  PageIndex page;
+  std::uint32_t path;  // in the order of ids
+
+  auto operator<=>(const Visit&) const = default;
+};
+
+void add_visits(const TreadPath& path, std::uint32_t index, double spacing_m, std::vector<Visit>& visits) {
+  const PageIndex first = page_of(square_of(path.low_m, spacing_m).south_west);
+  const PageIndex last = page_of(square_of(path.high_m, spacing_m).south_west);
+  const double side_m = kPageNodes * spacing_m;
+  for (int j = first.j; j <= last.j; ++j) {
+    for (int i = first.i; i <= last.i; ++i) {
+      // A long step reaches few of the pages in its box.
+      const glm::dvec2 centre_m = (glm::dvec2(i, j) + 0.5) * side_m - path.from_m;
+      const glm::dvec2 forward(path.forward);
+      const double along_m = std::clamp(glm::dot(centre_m, forward), 0.0, static_cast<double>(path.length_m));
+      const double apart_m = glm::length(centre_m - along_m * forward);
+      if (apart_m <= static_cast<double>(path.reach_m) + 0.71 * side_m) visits.push_back({{j, i}, index});
+    }
+  }
+}
+
+/// Asks for memory that is needed soon.
+void fetch(const TreadNode* nodes, std::size_t count) {
+#if defined(__GNUC__)
+  constexpr std::size_t kLine = 64 / sizeof(TreadNode);
+  for (std::size_t n = 0; n < count; n += kLine) __builtin_prefetch(nodes + n, 1);
+  __builtin_prefetch(nodes + count - 1, 1);
+#else
+  static_cast<void>(nodes), static_cast<void>(count);
+#endif
+}
+
+/// Calls `visit(slot, index)` for every node of the page in the rectangle: its place in the page and in the
+/// rectangle.
+template <class Visitor>
+void for_nodes(const NodeRect& rect, PageIndex page, Visitor visit) {
+  const NodeIndex corner = page.south_west();
+  const int first_i = std::max(corner.i, rect.column), first_j = std::max(corner.j, rect.row);
+  const int end_i = std::min(corner.i + kPageNodes, rect.column + rect.columns);
+  const int end_j = std::min(corner.j + kPageNodes, rect.row + rect.rows);
+  for (int j = first_j; j < end_j; ++j) {
+    for (int i = first_i; i < end_i; ++i) {
+      visit(static_cast<std::size_t>((j - corner.j) * kPageNodes + (i - corner.i)),
+            static_cast<std::size_t>(j - rect.row) * static_cast<std::size_t>(rect.columns) +
+                static_cast<std::size_t>(i - rect.column));
+    }
+  }
+}
+
+/// Calls `visit(page, nodes)` for the pages that the rectangle meets.
+template <class Node, class Visitor>
+void for_pages(const NodeRect& rect, const NodeField<Node>& field, Visitor visit) {
+  if (rect.columns <= 0 || rect.rows <= 0) return;
+  const PageIndex first = page_of({rect.column, rect.row});
+  const PageIndex last = page_of({rect.column + rect.columns - 1, rect.row + rect.rows - 1});
+  for (int j = first.j; j <= last.j; ++j) {
+    auto page = field.pages().lower_bound({.j = j, .i = first.i});
+    for (; page != field.pages().end() && page->first.j == j && page->first.i <= last.i; ++page) {
+      visit(page->first, page->second);
+    }
+  }
+}
+
+}  // namespace
+
+Treading::Treading(const TreadSettings& settings, NodeGrid recovery_s)
+    : settings_(settings),
+      recovery_s_(std::move(recovery_s)),
+      state_{0.0, NodeField<TreadNode>(checked(settings).spacing_m), NodeField<float>(settings.spacing_m)} {}
+
+void Treading::restore(TreadState state) {
+  check_state(settings_, state);
+  state_ = std::move(state);
+}
+
+void Treading::step(std::span<const TreadStep> steps, double to_s) {
+  const double from_s = state_.time_s;
+  check_time(from_s, to_s);
+  std::vector<std::uint32_t> order(steps.size());
+  for (std::size_t n = 0; n < order.size(); ++n) order[n] = static_cast<std::uint32_t>(n);
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return steps[a].id < steps[b].id; });
+  check_steps(steps, order);
+
+  std::vector<TreadPath> paths;
+  paths.reserve(steps.size());
+  std::vector<Visit> visits;
+  for (const std::uint32_t n : order) {
+    if (steps[n].weight == 0.0) continue;
+    paths.push_back(path_of(steps[n], settings_.reach_radii, to_s - from_s));
+    add_visits(paths.back(), static_cast<std::uint32_t>(paths.size() - 1), settings_.spacing_m, visits);
+  }
+  std::sort(visits.begin(), visits.end());
+
+  // Every page is written by one thread; those that there are not yet are made before.
+  struct Work {
+    std::size_t first_visit, visits_end;
+    NodeField<TreadNode>::Page* nodes;
+    NodeField<float>::Page* wear;
+  };
+  std::vector<Work> work;
+  for (std::size_t n = 0; n < visits.size();) {
+    const PageIndex page = visits[n].page;
+    std::size_t end = n;
+    while (end < visits.size() && visits[end].page == page) ++end;
+    work.push_back({n, end, nullptr, nullptr});
+    n = end;
+  }
+
+  const oneapi::tbb::blocked_range<std::size_t> all_work(0, work.size(), 8);
+  oneapi::tbb::parallel_for(all_work, [&](const auto& range) {
+    for (std::size_t n = range.begin(); n != range.end(); ++n) {
+      const PageIndex page = visits[work[n].first_visit].page;
+      work[n].nodes = state_.nodes.find_page(page);
+      work[n].wear = state_.wear.find_page(page);
+    }
+  });
+  for (Work& one : work) {
+    const PageIndex page = visits[one.first_visit].page;
+    if (one.nodes == nullptr) one.nodes = &state_.nodes.touch_page(page);
+    if (one.wear == nullptr) one.wear = &state_.wear.touch_page(page);
+  }
+
+  oneapi::tbb::parallel_for(all_work, [&](const auto& range) {
+    PagePushes pushes;
+    for (std::size_t n = range.begin(); n != range.end(); ++n) {
+      const std::span<const Visit> visitors(&visits[work[n].first_visit],
+                                            work[n].visits_end - work[n].first_visit);
+      const PageIndex page = visitors.front().page;
+      PageBox all;
+      bool one_stands = false;
+      for (const Visit& visit : visitors) {
+        const PageBox box = reached(paths[visit.path], page, settings_.spacing_m);
+        if (box.first_i > box.last_i || box.first_j > box.last_j) continue;
+        one_stands |= paths[visit.path].stands;
+        all = {std::min(all.first_i, box.first_i), std::min(all.first_j, box.first_j),
+               std::max(all.last_i, box.last_i), std::max(all.last_j, box.last_j)};
+      }
+      if (all.first_i > all.last_i) continue;
+      const auto slot_at = [&](int j) { return static_cast<std::size_t>(j * kPageNodes + all.first_i); };
+      const std::size_t columns = static_cast<std::size_t>(all.last_i - all.first_i + 1);
+      // Nodes of a wide meadow are not in the cache: they are fetched while the pushes are summed.
+      for (int j = all.first_j; j <= all.last_j; ++j) fetch(&(*work[n].nodes)[slot_at(j)], columns);
+      pushes.clear(all.first_j, all.last_j, one_stands);
+      for (const Visit& visit : visitors) {
+        const TreadPath& path = paths[visit.path];
+        add_pushes(path, page, reached(path, page, settings_.spacing_m), settings_.spacing_m, pushes);
+      }
+      for (int j = all.first_j; j <= all.last_j; ++j) {
+        for (std::size_t slot = slot_at(j); slot < slot_at(j) + columns; ++slot) {
+          if (!pushes.touches(slot)) continue;
+          TreadNode& node = (*work[n].nodes)[slot];
+          if (node.blades_recovery_s == 0.0f) node.blades_recovery_s = blades_recovery_s(page, slot);
+          press(settings_, pushes.at(slot), from_s, to_s, node, (*work[n].wear)[slot]);
+        }
+      }
+    }
+  });
+  state_.time_s = to_s;
+
+  // Looking for pages at rest once a second is enough.
+  if (std::floor(from_s) != std::floor(to_s)) {
+    state_.nodes.free_pages([to_s](const TreadNode& node) { return rest_time_s(node) <= to_s; });
+    state_.wear.free_pages([](float wear) { return wear == 0.0f; });
+  }
+}
+
+float Treading::blades_recovery_s(PageIndex page, std::size_t slot) const {
+  const NodeIndex corner = page.south_west();
+  const int column = static_cast<int>(slot) % kPageNodes, row = static_cast<int>(slot) / kPageNodes;
+  const float mapped_s =
+      recovery_s_.sample(glm::dvec2(corner.i + column, corner.j + row) * settings_.spacing_m);
+  if (!(mapped_s > 0.0f)) return static_cast<float>(settings_.recovery_s);
+  return std::clamp(mapped_s, kLeastRecoveryS, kMostRecoveryS);
+}
+
+Tread Treading::at(NodeIndex node) const {
+  return tread_of(settings_, state_.nodes.at(node), state_.wear.at(node), state_.time_s);
+}
+
+Tread Treading::sample(glm::dvec2 position_m) const {
+  return state_.nodes.sample(position_m, [this](NodeIndex node) { return at(node); });
+}
+
+void Treading::read(const NodeRect& rect, std::span<glm::vec4> out) const {
+  assert(out.size() == static_cast<std::size_t>(rect.columns) * static_cast<std::size_t>(rect.rows));
+  std::fill(out.begin(), out.end(), glm::vec4(0.0f));
+  for_pages(rect, state_.wear, [&](PageIndex page, const NodeField<float>::Page& wear) {
+    const NodeField<TreadNode>::Page* nodes = state_.nodes.find_page(page);
+    for_nodes(rect, page, [&](std::size_t slot, std::size_t index) {
+      const TreadNode node = nodes == nullptr ? TreadNode{} : (*nodes)[slot];
+      if (node.field == 0.0f && wear[slot] == 0.0f) return;
+      const Tread tread = tread_of(settings_, node, wear[slot], state_.time_s);
+      out[index] = {tread.lean_rad.x, tread.lean_rad.y, tread.tilt_rad, tread.wear};
+    });
+  });
+}
+
+void Treading::read_wear(const NodeRect& rect, std::span<float> out) const {
+  assert(out.size() == static_cast<std::size_t>(rect.columns) * static_cast<std::size_t>(rect.rows));
+  std::fill(out.begin(), out.end(), 0.0f);
+  for_pages(rect, state_.wear, [&](PageIndex page, const NodeField<float>::Page& wear) {
+    for_nodes(rect, page, [&](std::size_t slot, std::size_t index) { out[index] = wear[slot]; });
+  });
+}
+
+void Treading::write_wear(const NodeRect& rect, std::span<const float> wear) {
+  assert(wear.size() == static_cast<std::size_t>(rect.columns) * static_cast<std::size_t>(rect.rows));
+  check_wear(wear);
+  std::size_t index = 0;
+  for (int row = 0; row < rect.rows; ++row) {
+    for (int column = 0; column < rect.columns; ++column, ++index) {
+      const NodeIndex node{rect.column + column, rect.row + row};
+      // Unworn ground needs no page.
+      if (wear[index] > 0.0f || state_.wear.at(node) > 0.0f) state_.wear.touch(node) = wear[index];
+    }
+  }
+}
+
+}  // namespace prairie

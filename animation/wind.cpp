@@ -1,0 +1,78 @@
+#include "animation/wind.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace prairie {
+
+glm::vec2 wind_m_per_s(const Wind& wind, glm::dvec2 position_m, double time_s) {
+  const glm::dvec2 mean = wind.mean.velocity_m_per_s(position_m, time_s);
+  glm::vec2 sum(mean);
+  if (wind.noise) sum += wind.noise->velocity_m_per_s(position_m, mean, wind.mean.drift_m(time_s));
+  if (wind.wake) sum += wind.wake->velocity_m_per_s(position_m);
+  for (const WindPrimitive& primitive : wind.primitives)
+    sum += velocity_m_per_s(primitive, position_m, time_s);
+  return sum;
+}
+
+WindNodes wind_nodes_around(glm::dvec2 centre_m, int side, double spacing_m) {
+  assert(side > 0);
+  const NodeIndex nearest = square_of(centre_m + 0.5 * spacing_m, spacing_m).south_west;
+  return {{nearest.i - side / 2, nearest.j - side / 2}, side, side, spacing_m};
+}
+
+void fill_wind(const Wind& wind, const WindNodes& nodes, double time_s, std::span<glm::vec2> out_m_per_s) {
+  assert(out_m_per_s.size() ==
+         static_cast<std::size_t>(nodes.columns) * static_cast<std::size_t>(nodes.rows));
+  const glm::dvec2 drift_m = wind.mean.drift_m(time_s);
+  const glm::dvec2 low_m = glm::dvec2(nodes.south_west.i, nodes.south_west.j) * nodes.spacing_m;
+
+  // The columns and rows that each primitive covers now.
+  struct Part {
+    BlowingPrimitive primitive;
+    int first_column, last_column, first_row, last_row;
+  };
+  std::vector<Part> parts;
+  for (const WindPrimitive& primitive : wind.primitives) {
+    const std::optional<BlowingPrimitive> now = blowing(primitive, time_s);
+    if (!now) continue;
+    const auto first = [&](double from_m, double at_m) {
+      return static_cast<int>(std::clamp(std::ceil((at_m - from_m) / nodes.spacing_m), 0.0, 1e9));
+    };
+    const auto last = [&](double from_m, double at_m, int count) {
+      return static_cast<int>(std::clamp(std::floor((at_m - from_m) / nodes.spacing_m), -1.0, count - 1.0));
+    };
+    const Part part{*now, first(low_m.x, now->low_m.x), last(low_m.x, now->high_m.x, nodes.columns),
+                    first(low_m.y, now->low_m.y), last(low_m.y, now->high_m.y, nodes.rows)};
+    if (part.first_column <= part.last_column && part.first_row <= part.last_row) parts.push_back(part);
+  }
+
+  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, nodes.rows, 8), [&](const auto& range) {
+    for (int row = range.begin(); row != range.end(); ++row) {
+      const std::span<glm::vec2> out =
+          out_m_per_s.subspan(static_cast<std::size_t>(row) * static_cast<std::size_t>(nodes.columns),
+                              static_cast<std::size_t>(nodes.columns));
+      const auto place_m = [&](int column) { return low_m + glm::dvec2(column, row) * nodes.spacing_m; };
+      for (int column = 0; column < nodes.columns; ++column) {
+        const glm::dvec2 position_m = place_m(column);
+        const glm::dvec2 mean = wind.mean.velocity_m_per_s(position_m, time_s);
+        glm::vec2 sum(mean);
+        if (wind.noise) sum += wind.noise->velocity_m_per_s(position_m, mean, drift_m);
+        if (wind.wake) sum += wind.wake->velocity_m_per_s(position_m);
+        out[static_cast<std::size_t>(column)] = sum;
+      }
+      for (const Part& part : parts) {
+        if (row < part.first_row || row > part.last_row) continue;
+        for (int column = part.first_column; column <= part.last_column; ++column) {
+          out[static_cast<std::size_t>(column)] += velocity_m_per_s(part.primitive, place_m(column));
+        }
+      }
+    }
+  });
+}
+
+}  // namespace prairie
