@@ -86,6 +86,41 @@ TEST(TiersTest, CoarseMeshesKeepAreaAndLight) {
   }
 }
 
+/// A mesh has the shape of the next coarser one before that takes its place, and its own while it is much finer.
+TEST(TiersTest, MeshesTakeTheShapeOfTheNext) {
+  Kernels kernels;
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
+  for (const int segments : {8, 4, 2}) {
+    const float least = kernels.least_pixels(segments);
+    EXPECT_GT(least, 1.4f * kernels.least_pixels(segments / 2)) << "one blend is over before the next begins";
+    EXPECT_EQ(kernels.coarser_share(lod, segments, least), 1.0f);
+    EXPECT_EQ(kernels.coarser_share(lod, segments, 1.4f * least), 0.0f);
+    const float h = 1.0f / static_cast<float>(segments);
+    for (int n = 0; n <= segments; n += 2) {
+      const float t = static_cast<float>(n) * h;
+      EXPECT_EQ(kernels.blended_profile(t, h, 1.0f), kernels.mean_profile(t, 2.0f * h));
+      EXPECT_EQ(kernels.blended_power6(t, h, 1.0f), kernels.mean_power6(t, 2.0f * h));
+      EXPECT_EQ(kernels.blended_place(t, h, 1.0f), kernels.mean_place(t, 2.0f * h));
+    }
+  }
+  EXPECT_EQ(kernels.coarser_share(lod, 1, 1.0f), 0.0f) << "nothing is coarser";
+}
+
+/// A quarter circle seen from the side: chords are sin(x)/x of the arc.
+TEST(TiersTest, MeshesAreWiderByWhatChordsAreShort) {
+  Kernels kernels;
+  const auto point = [](double t) {
+    const double angle = 1.5707963267948966 * t;
+    return glm::vec3(glm::dvec3(std::sin(angle), 0.0, 1.0 - std::cos(angle)));
+  };
+  const auto seen = kernels.seen_areas(point(0.0), point(0.25), point(0.5), point(0.75), point(1.0), {0.0f, 1.0f, 0.0f});
+  const auto chords = [](double pieces) { return std::sin(0.7853981633974483 / pieces) / (0.7853981633974483 / pieces); };
+  EXPECT_NEAR(kernels.wider_for_chords(seen, 1, 0.0f), 1.0 / chords(1.0), 2e-3);
+  EXPECT_NEAR(kernels.wider_for_chords(seen, 2, 0.0f), 1.0 / chords(2.0), 2e-3);
+  EXPECT_NEAR(kernels.wider_for_chords(seen, 4, 0.0f), 1.0 / chords(4.0), 2e-3);
+  EXPECT_NEAR(kernels.wider_for_chords(seen, 4, 1.0f), 1.0 / chords(2.0), 2e-3) << "blended into two segments";
+}
+
 TEST(TiersTest, RadianceSurvivesPacking) {
   Kernels kernels;
   for (float value = 1e-4f; value < 1000.0f; value *= 1.07f) {

@@ -76,6 +76,13 @@ TEST(WeightTest, AreaLeftIsTheIntegralOfGrowth) {
   }
 }
 
+TEST(WeightTest, KeepLeavingIsTheInverseOfAreaLeft) {
+  const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
+  for (float area = 0.001f; area <= 1.0f; area += 0.001f) {
+    EXPECT_NEAR(Kernels{}.area_left(lod, Kernels{}.keep_leaving(lod, area)), area, 2e-5f) << area;
+  }
+}
+
 /// Blades that stay stand for those left out, and none is wider than its limit of pixels.
 TEST(WeightTest, WideningKeepsTheCover) {
   const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
