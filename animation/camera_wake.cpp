@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "animation/range_check.h"
 #include "maps/error.h"
 #include "shaders/kernels/kernels.h"
 
@@ -15,9 +16,7 @@ namespace prairie {
 namespace {
 
 void check(const char* field, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw BadInput("", std::string("camera wake: ") + field, fmt::format("{}", value),
-                 fmt::format("{} to {}", low, high));
+  check_range(std::string("camera wake: ") + field, value, low, high);
 }
 
 void check_place(glm::dvec2 camera_m) {

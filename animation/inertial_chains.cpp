@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-#include "animation/vector_stage.h"
+#include "generator/vector_stage.h"
 
 namespace prairie {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "maps/error.h"
+#include "animation/range_check.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {
@@ -19,8 +19,7 @@ constexpr std::array<glm::dvec2, 3> kTurns = {glm::dvec2(0.8506508083520400, 0.5
                                               glm::dvec2(-0.5773502691896258, 0.8164965809277260)};
 
 void check(const std::string& field, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw BadInput("", "wind: " + field, fmt::format("{}", value), fmt::format("{} to {}", low, high));
+  check_range("wind: " + field, value, low, high);
 }
 
 NoiseWindSettings checked(const NoiseWindSettings& settings) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "animation/range_check.h"
 #include "maps/error.h"
 
 namespace prairie {
@@ -21,9 +22,7 @@ bool within(double value, double low, double high) {
 
 template <class Number>  // float or double
 void check(const std::string& field, Number number, double low, double high, const char* what) {
-  const double value = static_cast<double>(number);
-  if (within(value, low, high)) return;
-  throw BadInput("", field, fmt::format("{}", value), fmt::format("{}, {} to {}", what, low, high));
+  check_range(field, static_cast<double>(number), low, high, what);
 }
 
 std::string name_of(const TreadStep& step, const char* field) {

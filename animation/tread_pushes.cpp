@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "animation/vector_stage.h"
+#include "generator/vector_stage.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {

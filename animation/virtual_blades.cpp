@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "animation/vector_stage.h"
+#include "generator/vector_stage.h"
 
 namespace prairie {
 namespace {

@@ -1,7 +1,5 @@
 #include "animation/wind_primitives.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,7 +7,7 @@
 #include <limits>
 
 #include "animation/heading.h"
-#include "maps/error.h"
+#include "animation/range_check.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {
@@ -118,8 +116,7 @@ class Checker {
   explicit Checker(const std::string& name) : name_(name) {}
 
   void number(const char* field, double value, double low, double high) const {
-    if (value >= low && value <= high) return;
-    throw BadInput("", name_ + ": " + field, fmt::format("{}", value), fmt::format("{} to {}", low, high));
+    check_range(name_ + ": " + field, value, low, high);
   }
   void place(const char* field, glm::dvec2 place_m) const {
     number(field, place_m.x, -1e7, 1e7);

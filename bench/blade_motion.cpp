@@ -1,11 +1,10 @@
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
 #include "animation/inertial_chains.h"
 #include "animation/virtual_blades.h"
 #include "bench/benches.h"
+#include "bench/timing.h"
 
 namespace prairie {
 namespace {
@@ -22,25 +21,10 @@ glm::vec3 breeze(std::size_t blade, int step) {
   return {2.0f + std::sin(phase), 0.5f * std::cos(phase), 0.0f};
 }
 
-template <typename Step>
-double median_ms(const Step& step) {
-  std::vector<double> times_ms;
-  for (int n = 0; n < kSteps; ++n) times_ms.push_back(step(n));
-  std::nth_element(times_ms.begin(), times_ms.begin() + kSteps / 2, times_ms.end());
-  return times_ms[kSteps / 2];
-}
-
-template <typename Work>
-double elapsed_ms(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 double inertial_step_ms() {
   InertialChains blades(kInertialBlades);
   for (std::size_t n = 0; n < blades.size(); ++n) blades.plant(n, blades.rest(n), kMeadowBlade);
-  return median_ms([&](int step) {
+  return median_ms(kSteps, [&](int step) {
     for (std::size_t n = 0; n < blades.size(); ++n) blades.set_wind(n, breeze(n, step));
     return elapsed_ms([&] { blades.step(kStepS); });
   });
@@ -49,7 +33,7 @@ double inertial_step_ms() {
 double virtual_step_ms() {
   VirtualBlades blades({kMeadowBlade}, kVirtualSide, 1.0, {0.0, 0.0});
   std::vector<glm::vec3> wind(blades.texel_count());
-  return median_ms([&](int step) {
+  return median_ms(kSteps, [&](int step) {
     for (std::size_t n = 0; n < wind.size(); ++n) wind[n] = breeze(n, step);
     return elapsed_ms([&] { blades.step(wind, kStepS); });
   });

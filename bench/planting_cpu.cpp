@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <chrono>
 #include <vector>
 
 #include "bench/benches.h"
+#include "bench/timing.h"
 #include "bench/varied_meadow.h"
 #include "generator/plant.h"
 
@@ -27,8 +27,7 @@ std::vector<Measurement> bench_planting_cpu(const BenchOptions&) {
   const Meadow meadow = varied_meadow();
   std::vector<double> rounds;
   for (int round = 0; round < kRounds; ++round) rounds.push_back(blades_per_s(meadow));
-  std::nth_element(rounds.begin(), rounds.begin() + kRounds / 2, rounds.end());
-  return {{"planting.cpu_blades_per_s_core", rounds[kRounds / 2]}};
+  return {{"planting.cpu_blades_per_s_core", median(rounds)}};
 }
 
 }  // namespace prairie

@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <chrono>
 #include <vector>
 
 #include "bench/benches.h"
+#include "bench/timing.h"
 #include "bench/varied_meadow.h"
 #include "generator/cell_table.h"
 #include "render/context.h"
@@ -49,8 +49,7 @@ std::vector<Measurement> bench_planting_gpu(const BenchOptions& options) {
     planting.plant();
     rounds.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() / blades);
   }
-  std::nth_element(rounds.begin(), rounds.begin() + kRounds / 2, rounds.end());
-  return {{"planting.gpu_ns_per_blade", rounds[kRounds / 2]}};
+  return {{"planting.gpu_ns_per_blade", median(rounds)}};
 }
 
 }  // namespace prairie

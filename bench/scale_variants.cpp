@@ -5,6 +5,7 @@
 #include "bench/benches.h"
 #include "bench/scale_folder.h"
 #include "bench/scale_walker.h"
+#include "bench/timing.h"
 #include "render/context.h"
 
 namespace prairie {

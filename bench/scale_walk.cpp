@@ -11,6 +11,7 @@
 #include "bench/scale_probe.h"
 #include "bench/scale_shares.h"
 #include "bench/scale_walker.h"
+#include "bench/timing.h"
 #include "render/context.h"
 
 namespace prairie {

@@ -1,6 +1,5 @@
 #include "bench/scale_walker.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 
@@ -23,17 +22,6 @@ void Walker::step(int frame, const OffscreenTarget& target) {
 void Walker::begin_again() {
   frame_ms_.clear();
   plan_ms_.clear();
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, nth);
-  return *nth;
-}
-
-double median(const std::vector<double>& values) {
-  return quantile(values, 0.5);
 }
 
 }  // namespace prairie

@@ -38,8 +38,4 @@ class Walker {
 
 inline constexpr int kWarmUpFrames = 3;
 
-/// The value below which the given share of the values lies; at least one value.
-double quantile(std::vector<double> values, double share);
-double median(const std::vector<double>& values);
-
 }  // namespace prairie

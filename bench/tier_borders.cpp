@@ -20,7 +20,7 @@ constexpr int kBlockPx = 20;
 struct Border {
   const char* key;
   double eye_height_m;
-  double near_m, far_m;    // of the ground that is looked at
+  double near_m, far_m;  // of the ground that is looked at
   double from_m, to_m;   // how far the tiers' eye stands behind the camera
   glm::dvec2 extent_m;
 };
@@ -39,13 +39,6 @@ Camera camera_of(const Border& border, const TierScene& scene) {
   return tier_camera(scene, border.eye_height_m, {kWidthPx, 2 * below_horizon});
 }
 
-double mean_cover(const Picture& picture, int top, int bottom) {
-  double sum = 0.0;
-  for (int n = top * picture.width; n < bottom * picture.width; ++n)
-    sum += static_cast<double>(picture.cover[static_cast<std::size_t>(n)]);
-  return sum / (static_cast<double>(bottom - top) * picture.width);
-}
-
 std::vector<Measurement> measure(const Border& border, const BenchOptions& options) {
   const HeadlessContext context(options.device);
   // One scene of each species, of middle density, with the sun behind.
@@ -54,9 +47,7 @@ std::vector<Measurement> measure(const Border& border, const BenchOptions& optio
   double cover_spread = 0.0;
   for (const TierScene& tier_scene : tier_scenes(border.extent_m)) {
     if (!tier_scene.is_middle) continue;
-    Scene scene = tier_scene.scene;
-    scene.lod.blade_distance_m = 128.0;
-    const World world(scene, {});
+    const World world(tier_scene.scene, {});
     Renderer renderer(world, options.shader_folder);
     const Camera camera = camera_of(border, tier_scene);
     const int top = row_of_ground(camera, border.eye_height_m, border.far_m);
@@ -69,7 +60,7 @@ std::vector<Measurement> measure(const Border& border, const BenchOptions& optio
       frame.lod_eye_m = camera.eye_m - glm::dvec3(0.0, behind_m, 0.0);
       const Picture picture = renderer.render(camera, frame, 1);
       frames.push_back(block_luminances({picture.width, picture.height, picture.linear_rgb}, kBlockPx));
-      const double cover = mean_cover(picture, top, bottom);
+      const double cover = mean_cover(picture, {0, top, picture.width, bottom - top});
       least_cover = std::min(least_cover, cover);
       most_cover = std::max(most_cover, cover);
     }

@@ -57,15 +57,6 @@ const std::vector<View>& views() {
   return all;
 }
 
-double mean_cover(const Picture& picture, const PixelRect& rect) {
-  double sum = 0.0;
-  for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    for (int x = rect.x; x < rect.x + rect.width; ++x)
-      sum += static_cast<double>(picture.cover[static_cast<std::size_t>(y) * picture.width + x]);
-  }
-  return sum / (rect.width * rect.height);
-}
-
 Disagreement compare(const Picture& reference, const Picture& picture, const PixelRect& rect, std::ostream* details) {
   const LinearImage wanted{reference.width, reference.height, reference.linear_rgb};
   const LinearImage found{picture.width, picture.height, picture.linear_rgb};
@@ -101,9 +92,7 @@ std::vector<Measurement> bench_tier_pictures(const BenchOptions& options) {
   std::map<std::string, Disagreement> worst;
   for (const View& view : views()) {
     for (const TierScene& tier_scene : tier_scenes(view.extent_m)) {
-      Scene scene = tier_scene.scene;
-      scene.lod.blade_distance_m = 128.0;
-      const World world(scene, {});
+      const World world(tier_scene.scene, {});
       Renderer renderer(world, options.shader_folder);
       const Camera camera = tier_camera(tier_scene, view.eye_height_m, view.size_px);
       const Picture reference = drawn(renderer, camera, Tier::kSpline);

@@ -84,6 +84,7 @@ std::vector<TierScene> tier_scenes(glm::dvec2 extent_m) {
         tier.name = fmt::format("{} {} {}", kind.name, density_per_m2, is_low_sun ? "low sun ahead" : "high sun behind");
         tier.is_middle = density_per_m2 == kind.densities_per_m2[1] && !is_low_sun;
         tier.scene.extent_m = extent_m;
+        tier.scene.lod.blade_distance_m = 128.0;
         SpeciesSpec species;
         species.species = {kind.name, kind.params};
         species.uniform_density_per_m2 = density_per_m2;
@@ -108,6 +109,15 @@ Camera tier_camera(const TierScene& scene, double eye_height_m, glm::ivec2 size_
 
 int row_of_ground(const Camera& camera, double eye_height_m, double distance_m) {
   return static_cast<int>(std::lround(0.5 * camera.size_px.y + eye_height_m / (distance_m * camera.pixel_m())));
+}
+
+double mean_cover(const Picture& picture, const PixelRect& rect) {
+  double sum = 0.0;
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    for (int x = rect.x; x < rect.x + rect.width; ++x)
+      sum += static_cast<double>(picture.cover[static_cast<std::size_t>(y) * picture.width + x]);
+  }
+  return sum / (rect.width * rect.height);
 }
 
 }  // namespace prairie

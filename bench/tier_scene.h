@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "bench/picture_metrics.h"
 #include "lod/camera.h"
+#include "render/renderer.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -24,5 +26,7 @@ Camera tier_camera(const TierScene& scene, double eye_height_m, glm::ivec2 size_
 
 /// The picture's row, from the top, in which the ground at a distance lies.
 int row_of_ground(const Camera& camera, double eye_height_m, double distance_m);
+
+double mean_cover(const Picture& picture, const PixelRect& rect);
 
 }  // namespace prairie

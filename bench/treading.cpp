@@ -1,12 +1,11 @@
 #include "animation/treading.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
 #include "animation/wind.h"
 #include "bench/benches.h"
+#include "bench/timing.h"
 
 namespace prairie {
 namespace {
@@ -15,21 +14,6 @@ constexpr int kSteps = 300;
 constexpr double kStepS = 1.0 / 60.0;
 constexpr std::uint32_t kBodies = 1000;
 constexpr double kSquareM = 100.0;
-
-template <typename Work>
-double median_ms(const Work& work) {
-  std::vector<double> times_ms;
-  for (int step = 0; step < kSteps; ++step) times_ms.push_back(work(step));
-  std::nth_element(times_ms.begin(), times_ms.begin() + kSteps / 2, times_ms.end());
-  return times_ms[kSteps / 2];
-}
-
-template <typename Work>
-double elapsed_ms(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Walkers on circles of 2 to 7 m, strewn over the square.
 glm::dvec2 place_of(std::uint32_t body, int step) {
@@ -45,7 +29,7 @@ glm::dvec2 place_of(std::uint32_t body, int step) {
 std::vector<Measurement> bench_treading(const BenchOptions&) {
   Treading treading(TreadSettings{});
   std::vector<TreadStep> steps(kBodies);
-  const double median = median_ms([&](int step) {
+  const double median = median_ms(kSteps, [&](int step) {
     for (std::uint32_t body = 0; body < kBodies; ++body) {
       steps[body] = {.id = body, .from_m = place_of(body, step), .to_m = place_of(body, step + 1)};
     }
@@ -62,7 +46,7 @@ std::vector<Measurement> bench_wind_nodes(const BenchOptions&) {
   const WindNodes nodes = wind_nodes_around({0.0, 0.0}, 64, 1.0);
   std::vector<glm::vec2> values(64 * 64);
   const double median =
-      median_ms([&](int step) { return elapsed_ms([&] { fill_wind(wind, nodes, kStepS * step, values); }); });
+      median_ms(kSteps, [&](int step) { return elapsed_ms([&] { fill_wind(wind, nodes, kStepS * step, values); }); });
   return {{"wind.nodes_ms_64x64", median}};
 }
 

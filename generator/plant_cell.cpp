@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "generator/vector_stage.h"
 #include "shaders/kernels/kernels.h"
 
 // The kernels are planted in stages over short blocks, each stage's results in arrays of their own, so that
-// the compiler plants 4 or 8 blades with one instruction; the results are those of Kernels::plant_blade, bit
-// for bit. AVX2 is used where the processor has it. Fused multiply-add, which would round differently, stays
-// off (-ffp-contract=off).
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PRAIRIE_STAGE __attribute__((noinline, flatten, target_clones("arch=x86-64-v3", "default")))
-#else
-#define PRAIRIE_STAGE
-#endif
-
+// the compiler plants 4 or 8 blades with one instruction (generator/vector_stage.h); the results are those of
+// Kernels::plant_blade, bit for bit.
 namespace prairie {
 namespace {
 
@@ -53,7 +46,7 @@ struct ClumpBlock {
   float outward_y[kBlock];
 };
 
-PRAIRIE_STAGE void draw_points(const PlantedCell& cell, std::uint32_t first, Roots& __restrict roots) {
+PRAIRIE_VECTOR_STAGE void draw_points(const PlantedCell& cell, std::uint32_t first, Roots& __restrict roots) {
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const glm::vec2 point = Kernels{}.sequence_point(first + n, cell.key.x);
     roots.point_x[n] = point.x;
@@ -61,7 +54,7 @@ PRAIRIE_STAGE void draw_points(const PlantedCell& cell, std::uint32_t first, Roo
   }
 }
 
-PRAIRIE_STAGE void warp_points(const PlantedCell& cell, const float* __restrict tables,
+PRAIRIE_VECTOR_STAGE void warp_points(const PlantedCell& cell, const float* __restrict tables,
                                Roots& __restrict roots) {
   Kernels kernels{tables};
   for (std::uint32_t n = 0; n < kBlock; ++n) {
@@ -73,7 +66,7 @@ PRAIRIE_STAGE void warp_points(const PlantedCell& cell, const float* __restrict 
   }
 }
 
-PRAIRIE_STAGE void find_ground(const PlantedCell& cell, const float* __restrict tables,
+PRAIRIE_VECTOR_STAGE void find_ground(const PlantedCell& cell, const float* __restrict tables,
                                Roots& __restrict roots) {
   Kernels kernels{tables};
   for (std::uint32_t n = 0; n < kBlock; ++n) {
@@ -82,7 +75,7 @@ PRAIRIE_STAGE void find_ground(const PlantedCell& cell, const float* __restrict 
   }
 }
 
-PRAIRIE_STAGE void draw_traits(const PlantedCell& cell, std::uint32_t first, TraitBlock& __restrict block) {
+PRAIRIE_VECTOR_STAGE void draw_traits(const PlantedCell& cell, std::uint32_t first, TraitBlock& __restrict block) {
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const Kernels::Traits traits = Kernels{}.traits_of(cell.key.y, first + n);
     block.height[n] = traits.height;
@@ -99,7 +92,7 @@ PRAIRIE_STAGE void draw_traits(const PlantedCell& cell, std::uint32_t first, Tra
   }
 }
 
-PRAIRIE_STAGE void find_clumps(const PlantedCell& cell, const SpeciesParams& species,
+PRAIRIE_VECTOR_STAGE void find_clumps(const PlantedCell& cell, const SpeciesParams& species,
                                const Roots& __restrict roots, ClumpBlock& __restrict block) {
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const Kernels::Clump clump = Kernels{}.clump_of(cell, species, {roots.x_m[n], roots.y_m[n]});

@@ -4,7 +4,6 @@
 #include "shaders/kernels/quarter.glsl"
 #include "shaders/kernels/interpolation.glsl"
 #include "shaders/kernels/trigonometry.glsl"
-#include "shaders/kernels/exponential.glsl"
 #include "shaders/kernels/warp.glsl"
 #include "shaders/kernels/clump.glsl"
 #include "shaders/kernels/cell_ground.glsl"
@@ -21,5 +20,3 @@
 #include "shaders/kernels/lighting.glsl"
 #include "shaders/kernels/blade_mesh.glsl"
 #include "shaders/kernels/tone.glsl"
-#include "shaders/kernels/tread.glsl"
-#include "shaders/kernels/wind_noise.glsl"
