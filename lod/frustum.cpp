@@ -24,7 +24,7 @@ Frustum::Frustum(const Camera& camera) : eye_m_(camera.eye_m) {
   }
 }
 
-bool Frustum::may_see(const Box& box) const {
+bool Frustum::may_see(const AlignedBox& box) const {
   return std::all_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     const glm::dvec3 foremost(plane.normal.x >= 0.0 ? box.max_m.x : box.min_m.x,
                               plane.normal.y >= 0.0 ? box.max_m.y : box.min_m.y,
@@ -33,7 +33,7 @@ bool Frustum::may_see(const Box& box) const {
   });
 }
 
-double nearest_distance_m(const Box& box, glm::dvec3 point_m) {
+double nearest_distance_m(const AlignedBox& box, glm::dvec3 point_m) {
   return glm::length(point_m - glm::clamp(point_m, box.min_m, box.max_m));
 }
 

@@ -10,7 +10,7 @@
 namespace prairie {
 
 /// An axis-aligned box in the scene, metres.
-struct Box {
+struct AlignedBox {
   glm::dvec3 min_m;
   glm::dvec3 max_m;
 };
@@ -20,7 +20,7 @@ class Frustum {
   explicit Frustum(const Camera& camera);
 
   /// False only if no point of the box is seen.
-  bool may_see(const Box& box) const;
+  bool may_see(const AlignedBox& box) const;
 
  private:
   // Points p inside satisfy normal · (p − eye) + offset ≥ 0.
@@ -33,6 +33,6 @@ class Frustum {
 };
 
 /// Distance from a point to the nearest point of a box, metres.
-double nearest_distance_m(const Box& box, glm::dvec3 point_m);
+double nearest_distance_m(const AlignedBox& box, glm::dvec3 point_m);
 
 }  // namespace prairie

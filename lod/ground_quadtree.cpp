@@ -68,7 +68,7 @@ class Quadtree {
     const double side_m = patch_side_m(patch.level);
     const glm::dvec2 min_m = side_m * glm::dvec2(patch.column, patch.row);
     const HeightRange range = meadow_.ground.range(min_m, min_m + side_m);
-    const Box box{glm::dvec3(min_m, range.min_m), glm::dvec3(min_m + side_m, range.max_m)};
+    const AlignedBox box{glm::dvec3(min_m, range.min_m), glm::dvec3(min_m + side_m, range.max_m)};
     if (!frustum_.may_see(box)) return;
     const double distance_m = nearest_distance_m(box, camera_.eye_m);
     if (distance_m > far_m_) return;

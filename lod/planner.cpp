@@ -156,7 +156,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
       const glm::dvec2 min_m = origin_m + glm::dvec2(cell_offset_m(*meadow_, cell));
       const std::array<float, 9> heights_m = ground_heights_m(tables, tables.cells.front());
       const HeightRange range = ground_range(heights_m);
-      const Box ground{glm::dvec3(min_m, base_m + static_cast<double>(range.min_m)),
+      const AlignedBox ground{glm::dvec3(min_m, base_m + static_cast<double>(range.min_m)),
                        glm::dvec3(min_m + cell_m, base_m + static_cast<double>(range.max_m))};
       const auto texels = static_cast<std::uint32_t>(plan.tables.size() / 4);
       bool is_drawn = false;
@@ -171,8 +171,8 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
         if (planted.feature_table != kNoTable) drawn_cell.planted.feature_table += texels;
         drawn_cell.eye_from_tile_m = glm::vec3(glm::dvec3(origin_m, base_m) - camera.eye_m);
         drawn_cell.morph = morph;
-        const auto add_roots_in = [&](const Box& roots) {
-          const Box blades{roots.min_m - glm::dvec3(reach_m, reach_m, 0.0), roots.max_m + reach_m};
+        const auto add_roots_in = [&](const AlignedBox& roots) {
+          const AlignedBox blades{roots.min_m - glm::dvec3(reach_m, reach_m, 0.0), roots.max_m + reach_m};
           if (!search.sees(blades)) return;
           const double keep = static_cast<double>(kernels.blades_left(morph) *
                                                   kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(planted))) *

@@ -24,7 +24,7 @@ HeightRange ground_range(std::span<const float> heights_m);
 
 /// The ground of a cell as seen from an eye.
 struct CellView {
-  Box box;                           // of the cell's ground
+  AlignedBox box;                           // of the cell's ground
   std::span<const float> heights_m;  // 3 × 3, row by row from south
   double side_m;
 };

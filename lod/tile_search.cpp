@@ -36,7 +36,7 @@ std::vector<SeenTile> TileSearch::tiles(std::size_t most_tiles) {
   return std::move(found_);
 }
 
-Box TileSearch::box_of_cell(TileId tile, int cell) const {
+AlignedBox TileSearch::box_of_cell(TileId tile, int cell) const {
   const glm::dvec2 min_m = tile_origin_m(meadow_, tile) + glm::dvec2(cell_offset_m(meadow_, cell));
   return box_of(min_m, min_m + meadow_.tile_m / kCellsPerSide);
 }
@@ -47,7 +47,7 @@ double TileSearch::far_from_field_m() const {
   return glm::length(place_m - glm::clamp(place_m, glm::dvec2(0.0), meadow_.extent_m));
 }
 
-Box TileSearch::box_of(glm::dvec2 min_m, glm::dvec2 max_m) const {
+AlignedBox TileSearch::box_of(glm::dvec2 min_m, glm::dvec2 max_m) const {
   const HeightRange ground = meadow_.ground.range(min_m, max_m);
   return {glm::dvec3(min_m - blade_m_, ground.min_m),
           glm::dvec3(max_m + blade_m_, static_cast<double>(ground.max_m) + blade_m_)};
@@ -61,7 +61,7 @@ void TileSearch::visit(int level, int column, int row) {
                            min_m.y >= meadow_.extent_m.y)) {
     return;
   }
-  const Box box = box_of(min_m, max_m);
+  const AlignedBox box = box_of(min_m, max_m);
   if (!frustum_.may_see(box) || nearest_distance_m(box, centre_m_) >= far_m_) return;
   if (level == 0) {
     if (found_.size() == most_tiles_) {

@@ -14,7 +14,7 @@ namespace prairie {
 /// A tile in view.
 struct SeenTile {
   TileId id;
-  Box box;            // holds its ground and its blades
+  AlignedBox box;            // holds its ground and its blades
   double distance_m;  // of the box from the camera
 };
 
@@ -26,13 +26,13 @@ class TileSearch {
   /// Front to back. Throws OverBudget where there are more than `most_tiles`.
   std::vector<SeenTile> tiles(std::size_t most_tiles);
 
-  bool sees(const Box& box) const { return frustum_.may_see(box); }
+  bool sees(const AlignedBox& box) const { return frustum_.may_see(box); }
   /// Holds a cell's ground and blades.
-  Box box_of_cell(TileId tile, int cell) const;
+  AlignedBox box_of_cell(TileId tile, int cell) const;
 
  private:
   void visit(int level, int column, int row);
-  Box box_of(glm::dvec2 min_m, glm::dvec2 max_m) const;
+  AlignedBox box_of(glm::dvec2 min_m, glm::dvec2 max_m) const;
   double far_from_field_m() const;
 
   const Meadow& meadow_;

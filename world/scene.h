@@ -12,6 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "agents/mover.h"
+#include "animation/tread_node.h"
+#include "animation/wind_primitives.h"
 #include "generator/species.h"
 #include "lod/quality.h"
 #include "maps/error.h"
@@ -30,8 +33,15 @@ struct CameraSpec {
   double fov_deg = 60.0;  // vertical
 };
 
+/// How blades of a species answer to wind and feet (docs/chains.md).
+struct BladeMotionSpec {
+  double damping_ratio = 0.2;
+  double drag_coefficient = 0.2;  // of a blade in wind of 1 m/s, as a strip across it
+};
+
 struct SpeciesSpec {
   Species species;
+  BladeMotionSpec motion;
   std::optional<MapSpec> density;  // without a map the density is uniform:
   double uniform_density_per_m2 = 1000.0;
 };
@@ -43,6 +53,22 @@ struct SunSpec {
   double intensity = 3.2;
   double sky_intensity = 1.0;
   double haze_per_m = 0.0006;  // fog density b of RG "Fog"
+};
+
+/// The wind (animation/wind.h). Headings are those towards which it blows, clockwise from north.
+struct WindSpec {
+  double speed_m_per_s = 0.0;
+  double heading_deg = 90.0;
+  double turbulence = 1.0;                     // factor on the noise; 0: none
+  std::optional<std::filesystem::path> file;   // a measured series in place of speed and heading
+  glm::dvec2 place_m{0.0};                     // where it was measured
+  std::vector<WindPrimitive> primitives;
+};
+
+/// Something that moves over the grass and presses it down.
+struct MoverSpec {
+  std::string name;
+  MoverPath path;
 };
 
 struct LodSpec {
@@ -63,6 +89,9 @@ struct Scene {
   std::vector<CameraSpec> cameras;
   SunSpec sun;
   LodSpec lod;
+  std::optional<WindSpec> wind;  // none: calm air
+  TreadSettings treading;
+  std::vector<MoverSpec> movers;
   glm::vec3 soil_color{0.11f, 0.08f, 0.05f};  // linear albedo of bare ground
 };
 

@@ -79,8 +79,11 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   geo_reference_ = std::move(findings.geo_reference);
   maps_ = std::move(findings.maps);
   warnings_ = std::move(findings.warnings);
+  for (const MoverSpec& spec : scene_.movers) movers_.emplace_back(spec.path);
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
+
+void World::watch(glm::dvec2) {}
 
 void World::step(double dt_s) {
   assert(dt_s > 0.0);

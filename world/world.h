@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/mover.h"
 #include "generator/meadow.h"
 #include "maps/height_field.h"
 #include "world/map_loading.h"
@@ -33,8 +34,15 @@ class World {
   /// Of the scene's settings and its maps' contents; the same wherever the folder lies.
   std::uint64_t scene_hash() const { return scene_hash_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// As the scene has them, in its order.
+  const std::vector<Mover>& movers() const { return movers_; }
 
-  /// Advances the world by a fixed step, more than zero.
+  /// Where it is looked at from, on the ground: what is only seen near an eye moves around it. Without one nothing
+  /// of that is simulated.
+  void watch(glm::dvec2 eye_m);
+
+  /// Advances the world by a step, more than zero and at most a tenth of a second; rounded to whole ticks, so that
+  /// time does not depend on how it was cut into steps.
   void step(double dt_s);
   double time_s() const { return time_s_; }
 
@@ -45,6 +53,7 @@ class World {
   std::vector<LoadedMap> maps_;
   std::uint64_t scene_hash_ = 0;
   std::vector<std::string> warnings_;
+  std::vector<Mover> movers_;
   double time_s_ = 0.0;
 };
 

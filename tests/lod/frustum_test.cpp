@@ -38,7 +38,7 @@ TEST(FrustumTest, BoxesWithASeenPointAreKept) {
     const Camera camera = random_camera(random);
     const Frustum frustum(camera);
     const glm::dvec3 corner = 25.0 * glm::dvec3(unit(random), unit(random), unit(random));
-    const Box box{corner, corner + 4.0 * (1.0 + glm::dvec3(unit(random), unit(random), unit(random)))};
+    const AlignedBox box{corner, corner + 4.0 * (1.0 + glm::dvec3(unit(random), unit(random), unit(random)))};
     bool any = false;
     for (int point = 0; point < 64; ++point) {
       const glm::dvec3 share = 0.5 + 0.5 * glm::dvec3(unit(random), unit(random), unit(random));
@@ -55,7 +55,7 @@ TEST(FrustumTest, BoxesWithASeenPointAreKept) {
 }
 
 TEST(FrustumTest, DistancesToABox) {
-  const Box box{{0, 0, 0}, {2, 3, 4}};
+  const AlignedBox box{{0, 0, 0}, {2, 3, 4}};
   EXPECT_DOUBLE_EQ(nearest_distance_m(box, {1, 1, 1}), 0.0);
   EXPECT_DOUBLE_EQ(nearest_distance_m(box, {5, 7, 4}), 5.0);
 }

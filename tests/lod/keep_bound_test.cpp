@@ -22,7 +22,7 @@ constexpr int kRoots = 60;
 
 struct Scene {
   std::array<float, 9> heights_m;
-  Box box;
+  AlignedBox box;
   Camera camera;
   CellView view() const { return {box, heights_m, kCellM}; }
 };
