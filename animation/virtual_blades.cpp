@@ -108,11 +108,15 @@ void VirtualBlades::follow(glm::dvec2 eye_m) {
   }
 }
 
-void VirtualBlades::step(std::span<const glm::vec3> wind_m_per_s, float dt_s) {
+void VirtualBlades::set_wind(std::span<const glm::vec3> wind_m_per_s) {
   assert(wind_m_per_s.size() == texel_count());
   for (Stand& stand : species_) {
     for (std::size_t n = 0; n < texel_count(); ++n) stand.blades.set_wind(n, wind_m_per_s[n]);
-    stand.blades.step(dt_s);
+  }
+}
+
+void VirtualBlades::find_texels() {
+  for (Stand& stand : species_) {
     const std::span<const ChainBlock> blocks = stand.blades.blocks();
     const std::span<VirtualTexel> texels(stand.texels);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 16), [&](const auto& range) {
@@ -122,6 +126,17 @@ void VirtualBlades::step(std::span<const glm::vec3> wind_m_per_s, float dt_s) {
       }
     });
   }
+}
+
+void VirtualBlades::feel(std::span<const glm::vec3> wind_m_per_s) {
+  set_wind(wind_m_per_s);
+  find_texels();
+}
+
+void VirtualBlades::step(std::span<const glm::vec3> wind_m_per_s, float dt_s) {
+  set_wind(wind_m_per_s);
+  for (Stand& stand : species_) stand.blades.step(dt_s);
+  find_texels();
 }
 
 void VirtualBlades::settle(std::span<const glm::vec3> wind_m_per_s) {

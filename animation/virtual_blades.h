@@ -47,6 +47,9 @@ class VirtualBlades {
   /// Moves all blades on by `dt_s` in a wind for each texel, by index, m/s.
   void step(std::span<const glm::vec3> wind_m_per_s, float dt_s);
 
+  /// What drawn blades find, of the blades as they stand and move in a wind.
+  void feel(std::span<const glm::vec3> wind_m_per_s);
+
   /// Lets all blades find their place in a constant wind.
   void settle(std::span<const glm::vec3> wind_m_per_s);
 
@@ -60,12 +63,17 @@ class VirtualBlades {
   ChainMotion motion(std::size_t species, std::size_t index) const {
     return species_[species].blades.motion(index);
   }
+  void set_motion(std::size_t species, std::size_t index, const ChainMotion& motion) {
+    species_[species].blades.set_motion(index, motion);
+  }
 
  private:
   struct Stand {
     InertialChains blades;
     std::vector<VirtualTexel> texels;
   };
+  void find_texels();
+  void set_wind(std::span<const glm::vec3> wind_m_per_s);
   std::size_t index_of(int i, int j) const;
   glm::ivec2 corner_around(glm::dvec2 eye_m) const;
   glm::ivec2 texel_at(std::size_t index) const;  // of the lattice

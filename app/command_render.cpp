@@ -12,6 +12,7 @@
 #include "app/option_values.h"
 #include "app/outputs.h"
 #include "app/picture_file.h"
+#include "app/world_time.h"
 #include "render/context.h"
 #include "render/renderer.h"
 
@@ -27,15 +28,18 @@ struct RenderOptions {
   std::optional<glm::dvec3> lod_eye_m;
   bool tier_tint = false;
   int samples = 1;
+  double time_s = 0.0;
 };
 
 int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   const PictureFormat format = picture_format(options.output);
   check_picture_budget(options.size_px, globals.max_memory_bytes);
   check_output_file(options.output);
-  const World world = open_world(options.folder, globals);
+  World world = open_world(options.folder, globals);
   const Camera camera = placed_camera(camera_option(options.camera, world), world, options.size_px);
 
+  advance_to(world, options.time_s);
+  world.motion().watch_anew(watched_place_m(camera, world.meadow().ground));
   const HeadlessContext context(globals.device);
   Renderer renderer(world, shader_folder());
   FrameOptions frame;
@@ -89,6 +93,12 @@ void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& ch
           },
           "Frames averaged per picture, for smooth edges (1)")
       ->type_name("N");
+  command
+      ->add_option_function<std::string>(
+          "--time",
+          [options](const std::string& text) { options->time_s = number_option("--time", text, 0.0, kMaxTimeS); },
+          "Seconds after the scene's beginning (0)")
+      ->type_name("S");
   command->add_flag("--tint", options->tier_tint,
                     "Colour tiers: spline blades red, Hermite blades yellow, strips green, flat blue");
   command->footer(

@@ -27,10 +27,19 @@ std::uint32_t BladePass::vertices_per_blade(std::uint32_t segments) {
   return 2 * segments + 1;
 }
 
-BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder) {
-  const std::string_view variant = planting_variant(PlantingLattice(world.meadow()).feature_patches > 0);
-  spline_program_ = make_program(shader_folder, {"pass/grow.comp"}, {"SPLINE_BLADES", variant});
-  hermite_program_ = make_program(shader_folder, {"pass/grow.comp"}, {variant});
+namespace {
+
+MovingProgram grow_program(const World& world, const std::filesystem::path& shader_folder, const char* shape) {
+  return {shader_folder,
+          {"pass/grow.comp"},
+          {shape, planting_variant(PlantingLattice(world.meadow()).feature_patches > 0)}};
+}
+
+}  // namespace
+
+BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder)
+    : spline_program_(grow_program(world, shader_folder, "SPLINE_BLADES")),
+      hermite_program_(grow_program(world, shader_folder, "")) {
   draw_program_ = make_program(shader_folder, {"pass/blade.vert", "pass/blade.frag"});
   vertex_array_ = make_vertex_array();
   const GLuint array = vertex_array_.get();
@@ -60,7 +69,9 @@ GLuint BladePass::indices_for(std::uint32_t segments) {
   return entry->second.get();
 }
 
-void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species) {
+void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
+                        GrassMotion motion) {
+  motion_ = motion;
   cells_.clear();
   runs_.clear();
   batches_.clear();
@@ -101,7 +112,7 @@ void BladePass::grow(StreamBuffer& stream, const Batch& batch) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
   for (std::size_t n = batch.first_run; n < batch.first_run + batch.run_count; ++n) {
     const Run& run = runs_[n];
-    const GLuint program = run.is_spline ? spline_program_.get() : hermite_program_.get();
+    const GLuint program = (run.is_spline ? spline_program_ : hermite_program_).get(motion_);
     glProgramUniform1ui(program, 1, run.segments);
     glProgramUniform1ui(program, 2, run.first_vertex);
     compute_.dispatch(stream, program, std::span(cells_).subspan(run.first_cell, run.cell_count));

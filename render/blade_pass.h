@@ -10,6 +10,7 @@
 #include "lod/frame_plan.h"
 #include "render/compute_batch.h"
 #include "render/gl_objects.h"
+#include "render/moving_program.h"
 #include "render/stream_buffer.h"
 #include "world/world.h"
 
@@ -19,8 +20,10 @@ class BladePass {
  public:
   BladePass(const World& world, const std::filesystem::path& shader_folder);
 
-  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so.
-  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species);
+  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For grass that is not
+  /// still, the moving fields must be bound (render/moving_fields.h).
+  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
+               GrassMotion motion = GrassMotion::kStill);
   /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be bound.
   void draw(StreamBuffer& stream) { draw(stream, draw_program_.get()); }
   /// The same by another program, which takes GrownVertex as vertex attributes 0 and 1.
@@ -52,8 +55,8 @@ class BladePass {
   void grow(StreamBuffer& stream, const Batch& batch);
   void draw_run(const Run& run);
 
-  GlProgram spline_program_;
-  GlProgram hermite_program_;
+  MovingProgram spline_program_;
+  MovingProgram hermite_program_;
   GlProgram draw_program_;
   GlVertexArray vertex_array_;
   ComputeBatch compute_;
@@ -62,6 +65,7 @@ class BladePass {
   std::vector<DrawnCell> cells_;
   std::vector<Run> runs_;
   std::vector<Batch> batches_;
+  GrassMotion motion_ = GrassMotion::kStill;
   const Batch* grown_ = nullptr;  // the batch whose vertices the buffer holds
   std::uint64_t spline_triangles_ = 0;
   std::uint64_t hermite_triangles_ = 0;

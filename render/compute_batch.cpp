@@ -12,7 +12,7 @@ constexpr std::size_t kMostGroups = 65535;  // the least that GL_MAX_COMPUTE_WOR
 
 }  // namespace
 
-std::string_view planting_variant(bool has_features) {
+std::string planting_variant(bool has_features) {
   return has_features ? "FEATURE_MAPS" : "";
 }
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "render/texel_view.h"
@@ -33,7 +33,7 @@ std::vector<DrawnCell> pieces_of(std::span<const DrawnCell> cells, std::size_t m
 std::vector<CellRun> runs_of(std::span<const DrawnCell> cells, std::size_t max_blades);
 
 /// The preprocessor name with which planting shaders are made where feature maps vary; empty elsewhere.
-std::string_view planting_variant(bool has_features);
+std::string planting_variant(bool has_features);
 
 class ComputeBatch {
  public:

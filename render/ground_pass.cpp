@@ -83,7 +83,7 @@ GlTexture upload_flat_map(const FlatMap& map, bool repeats) {
 GroundPass::GroundPass(const World& world, const std::filesystem::path& shader_folder,
                        std::span<const double> blade_area_from_above_m2)
     : world_(&world),
-      program_(make_program(shader_folder, {"pass/ground.vert", "pass/ground.frag"})),
+      program_(shader_folder, {"pass/ground.vert", "pass/ground.frag"}),
       vertex_array_(make_vertex_array()) {
   const FlatMap flat_map = make_flat_map(world.meadow(), blade_area_from_above_m2);
   flat_period_m_ = flat_map.period_m;
@@ -177,7 +177,7 @@ void GroundPass::upload_morphs(const FramePlan& plan) {
                       morph_steps_.data());
 }
 
-void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m) {
+void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassMotion motion) {
   ++frame_;
   triangles_drawn_ = 0;
   std::vector<PatchParams> params(kSlots);
@@ -198,8 +198,9 @@ void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m) {
   patch_params_.upload(std::span<const PatchParams>(params));
   upload_morphs(plan);
 
-  glUseProgram(program_.get());
-  glProgramUniform1ui(program_.get(), 0, kSide);
+  const GLuint program = program_.get(motion);
+  glUseProgram(program);
+  glProgramUniform1ui(program, 0, kSide);
   glBindVertexArray(vertex_array_.get());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, patch_params_.get());
   glBindTextureUnit(0, flat_map_.get());

@@ -12,6 +12,7 @@
 #include "lod/frame_plan.h"
 #include "render/gl_objects.h"
 #include "render/light.h"
+#include "render/moving_program.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -22,8 +23,8 @@ class GroundPass {
   GroundPass(const World& world, const std::filesystem::path& shader_folder,
              std::span<const double> blade_area_from_above_m2);
 
-  /// The frame block must be bound. `anchor_m`: as in it.
-  void draw(const FramePlan& plan, glm::dvec3 anchor_m);
+  /// The frame block must be bound, and for grass that is not still the moving fields. `anchor_m`: as in it.
+  void draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassMotion motion);
   /// Where the mesh's frame has its origin for this eye: whole multiples of the coarsest quad near it, at a
   /// fixed height.
   glm::dvec3 anchor_m(glm::dvec3 eye_m) const;
@@ -41,7 +42,7 @@ class GroundPass {
   void upload_morphs(const FramePlan& plan);
 
   const World* world_;
-  GlProgram program_;
+  MovingProgram program_;
   GlVertexArray vertex_array_;
   GlBuffer vertices_;
   GlBuffer indices_;

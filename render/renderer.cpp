@@ -13,6 +13,7 @@
 #include "render/gpu_timer.h"
 #include "render/ground_pass.h"
 #include "render/light.h"
+#include "render/moving_fields.h"
 #include "render/noise_texture.h"
 #include "render/render_target.h"
 #include "render/shader_program.h"
@@ -76,7 +77,7 @@ struct Renderer::Passes {
     sward.bind();
     strip_texture = StripPainter(the_world, shader_folder)
                         .paint(stream, blades, frame_params(the_world, FramePlan{}, GroundLook{}, sward.field()),
-                               sward.species(), standing_share);
+                               sward.species(), strip_traits);
   }
 
   FramePlan plan(const Camera& camera, const FrameOptions& options, FrameStatistics& statistics) {
@@ -105,11 +106,14 @@ struct Renderer::Passes {
     frame = frame_params(*world, plan, look, sward.field());
     frame.tint = options.tier_tint ? 1.0f : 0.0f;
     exposure = frame.exposure;
+    motion = grass_motion(world->motion());
+    fields.show(world->motion(), glm::dvec2(plan.camera.eye_m), frame);
     show_frame();
     sward.bind();
-    blades.prepare(stream, plan, sward.species());
+    fields.bind();
+    blades.prepare(stream, plan, sward.species(), motion);
     timers.strips.begin();
-    strips.prepare(stream, plan, sward.species(), standing_share);
+    strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
@@ -129,6 +133,7 @@ struct Renderer::Passes {
     frame.jitter = jitter;
     show_frame();
     sward.bind();
+    fields.bind();
     glBindTextureUnit(7, noise_texture.get());
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
@@ -144,7 +149,7 @@ struct Renderer::Passes {
     strips.draw(strip_texture.get());
     timers.strips.end();
     timers.ground.begin();
-    ground->draw(plan, ground->anchor_m(plan.camera.eye_m));
+    ground->draw(plan, ground->anchor_m(plan.camera.eye_m), motion);
     timers.ground.end();
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
@@ -177,7 +182,9 @@ struct Renderer::Passes {
   StripPass strips;
   std::optional<GroundPass> ground;
   GlTexture strip_texture;
-  std::vector<float> standing_share;  // of the strips' texture, by species
+  std::vector<StripTraits> strip_traits;  // by species
+  MovingFields fields;
+  GrassMotion motion = GrassMotion::kStill;
   GlTexture noise_texture = make_noise_texture();
   SkyPass sky;
   GlProgram tone_program;

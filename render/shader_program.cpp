@@ -59,14 +59,14 @@ std::string shader_source(const std::filesystem::path& folder, const std::string
   return out.str();
 }
 
-GlProgram make_program(const std::filesystem::path& folder, std::initializer_list<const char*> names,
-                       std::initializer_list<std::string_view> defines) {
+GlProgram make_program(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                       const std::vector<std::string>& defines) {
   GlProgram program(glCreateProgram());
-  for (const char* name : names) {
+  for (const std::string& name : names) {
     std::string source = shader_source(folder, name);
-    for (const std::string_view define : defines) {
+    for (const std::string& define : defines) {
       // The first line is #version, which must stay first.
-      if (!define.empty()) source.insert(source.find('\n') + 1, "#define " + std::string(define) + "\n");
+      if (!define.empty()) source.insert(source.find('\n') + 1, "#define " + define + "\n");
     }
     const char* text = source.c_str();
     const GLuint shader = glCreateShader(stage_of(name));
@@ -84,7 +84,7 @@ GlProgram make_program(const std::filesystem::path& folder, std::initializer_lis
   GLint linked = GL_FALSE;
   glGetProgramiv(program.get(), GL_LINK_STATUS, &linked);
   if (!linked) {
-    throw NoSuitableOpenGl((folder / *names.begin()).string(), "link",
+    throw NoSuitableOpenGl((folder / names.front()).string(), "link",
                            info_log(program.get(), glGetProgramiv, glGetProgramInfoLog),
                            "a driver of OpenGL 4.5 core");
   }

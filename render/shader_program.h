@@ -2,9 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "render/gl_objects.h"
 
@@ -17,7 +16,7 @@ std::string shader_source(const std::filesystem::path& folder, const std::string
 /// Compiles and links, with the preprocessor names `defines` set (empty ones are none); the kind of each stage
 /// follows from its suffix (.vert, .frag, .comp). Throws NoSuitableOpenGl with the driver's message if it
 /// refuses them.
-GlProgram make_program(const std::filesystem::path& folder, std::initializer_list<const char*> names,
-                       std::initializer_list<std::string_view> defines = {});
+GlProgram make_program(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                       const std::vector<std::string>& defines = {});
 
 }  // namespace prairie

@@ -7,6 +7,7 @@
 #include "lod/thinning.h"
 #include "render/shader_program.h"
 #include "render/strip_texture.h"
+#include "render/tip_share.h"
 
 namespace prairie {
 namespace {
@@ -67,8 +68,8 @@ StripPainter::StripPainter(const World& world, const std::filesystem::path& shad
       program_(make_program(shader_folder, {"pass/strip_blade.vert", "pass/strip_blade.frag"})) {}
 
 GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const FrameParams& light,
-                              std::span<const SpeciesParams> species, std::vector<float>& standing_share) {
-  standing_share.assign(species.size(), 0.0f);
+                              std::span<const SpeciesParams> species, std::vector<StripTraits>& traits) {
+  traits.assign(species.size(), {});
   const Meadow& meadow = world_->meadow();
   const int layers = kStripFacings * static_cast<int>(species.size());
   const int levels = std::bit_width(static_cast<unsigned>(kStripColumns));
@@ -131,7 +132,7 @@ GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const Fra
       drawing.rgba.resize(std::size_t{4} * kStripColumns * kStripRows);
       glGetTextureImage(color.get(), 0, GL_RGBA, GL_FLOAT,
                         static_cast<GLsizei>(drawing.rgba.size() * sizeof(float)), drawing.rgba.data());
-      standing_share[s] = std::max(standing_share[s], ::prairie::standing_share(drawing));
+      traits[s].standing_share = std::max(traits[s].standing_share, standing_share(drawing));
       const std::vector<StripLevel> drawn_levels = strip_levels(drawing);
       for (int level = 0; level < levels; ++level) {
         const StripLevel& drawn = drawn_levels[level];
@@ -140,6 +141,7 @@ GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const Fra
       }
     }
     widened[s] = species[s];
+    traits[s].tip_share = tip_share(species[s]);
   }
   return texture;
 }

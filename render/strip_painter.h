@@ -8,6 +8,7 @@
 #include "render/blade_pass.h"
 #include "render/gl_objects.h"
 #include "render/stream_buffer.h"
+#include "render/strip_pass.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -18,9 +19,9 @@ class StripPainter {
 
   /// An array texture of kStripFacings layers a species. `light`: a frame block of the scene; overwrites the bound one.
   /// The sward's tables must be bound.
-  /// `standing_share`: for each species, the share of the longest blade's length up to which blades stand.
+  /// `traits`: of each species' strips, with the longest blade's length for the height of its texture.
   GlTexture paint(StreamBuffer& stream, BladePass& blades, const FrameParams& light,
-                  std::span<const SpeciesParams> species, std::vector<float>& standing_share);
+                  std::span<const SpeciesParams> species, std::vector<StripTraits>& traits);
 
  private:
   const World* world_;

@@ -33,7 +33,7 @@ std::vector<std::uint16_t> indices_of(std::uint32_t quads) {
 }  // namespace
 
 StripPass::StripPass(const std::filesystem::path& shader_folder)
-    : lay_program_(make_program(shader_folder, {"pass/strips.comp"})),
+    : lay_program_(shader_folder, {"pass/strips.comp"}),
       draw_program_(make_program(shader_folder, {"pass/strip.vert", "pass/strip.frag"})),
       vertex_array_(make_vertex_array()) {
   near_indices_.upload(std::span<const std::uint16_t>(indices_of(kNearQuads)));
@@ -50,18 +50,18 @@ StripPass::StripPass(const std::filesystem::path& shader_folder)
   attribute(3, 1, GL_FLOAT, GL_FALSE, offsetof(StripVertex, shown));
 }
 
-void StripPass::lay(const Run& run) {
+void StripPass::lay(const Run& run, GLuint program) {
   if (run.tiles == 0) return;
   const std::uint32_t columns = run.tiles * kSides * columns_of(run.quads);
-  glProgramUniform1ui(lay_program_.get(), 0, columns);
-  glProgramUniform1ui(lay_program_.get(), 1, run.first_tile);
-  glProgramUniform1ui(lay_program_.get(), 2, run.first_column);
-  glProgramUniform1ui(lay_program_.get(), 3, run.quads);
+  glProgramUniform1ui(program, 0, columns);
+  glProgramUniform1ui(program, 1, run.first_tile);
+  glProgramUniform1ui(program, 2, run.first_column);
+  glProgramUniform1ui(program, 3, run.quads);
   glDispatchCompute((columns + layouts::kPlantingGroup - 1) / layouts::kPlantingGroup, 1, 1);
 }
 
 void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-                        std::span<const float> standing_share) {
+                        std::span<const StripTraits> traits, GrassMotion motion) {
   const auto tiles = static_cast<std::uint32_t>(plan.strips.size());
   near_ = {0, plan.near_strips, kNearQuads, 0};
   far_ = {plan.near_strips, tiles - plan.near_strips, 1, plan.near_strips * kSides * columns_of(kNearQuads)};
@@ -69,18 +69,19 @@ void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
   if (tiles == 0) return;
   tiles_.show(stream, std::span<const StripTile>(plan.strips));
   species_.show(stream, species);
-  standing_.show(stream, standing_share);
+  traits_.show(stream, traits);
   vertices_.reserve((far_.first_column + std::size_t{far_.tiles} * kSides * columns_of(1)) * 2 *
                     sizeof(StripVertex));
   glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(StripVertex));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
-  glUseProgram(lay_program_.get());
+  const GLuint lay_program = lay_program_.get(motion);
+  glUseProgram(lay_program);
   glBindTextureUnit(0, tiles_.texture());
-  glBindTextureUnit(1, standing_.texture());
+  glBindTextureUnit(1, traits_.texture());
   glBindTextureUnit(2, species_.texture());
-  lay(near_);
-  lay(far_);
+  lay(near_, lay_program);
+  lay(far_, lay_program);
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 

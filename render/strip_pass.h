@@ -7,19 +7,26 @@
 
 #include "lod/frame_plan.h"
 #include "render/gl_objects.h"
+#include "render/moving_program.h"
 #include "render/stream_buffer.h"
 #include "render/texel_view.h"
 
 namespace prairie {
+
+/// What the strips of a species are like.
+struct StripTraits {
+  float standing_share = 0.0f;  // of the texture's height: up to where blades stand
+  float tip_share = 1.0f;       // how far wind moves its tips by how far it moves the virtual blade's (render/tip_share.h)
+};
 
 class StripPass {
  public:
   explicit StripPass(const std::filesystem::path& shader_folder);
 
   /// Lays the plan's strips. The frame block and the sward's tables must be bound.
-  /// `standing_share`: how much of the texture's height each species fills.
+  /// For grass that is not still, the moving fields must be too.
   void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-               std::span<const float> standing_share);
+               std::span<const StripTraits> traits, GrassMotion motion);
   /// Draws them with a texture of render/strip_texture.h.
   void draw(GLuint strip_texture);
 
@@ -33,9 +40,9 @@ class StripPass {
     std::uint32_t quads = 1;
     std::uint32_t first_column = 0;
   };
-  void lay(const Run& run);
+  void lay(const Run& run, GLuint program);
 
-  GlProgram lay_program_;
+  MovingProgram lay_program_;
   GlProgram draw_program_;
   GlVertexArray vertex_array_;
   GlBuffer vertices_;
@@ -43,7 +50,7 @@ class StripPass {
   GlBuffer far_indices_;
   TexelView tiles_{GL_RGBA32UI};
   TexelView species_{GL_RGBA32F};
-  TexelView standing_{GL_R32F};
+  TexelView traits_{GL_RG32F};
   Run near_;
   Run far_;
   std::uint64_t triangles_ = 0;

@@ -16,7 +16,8 @@ constexpr double kTuftsAcross = 40.0;  // of the square that is planted
 // The share of blades at the top of which as many samples are taken as of an eᵗʰ of the rest.
 constexpr double kTallShare = 0.03;
 
-// Level ground with about kPlanted blades of this species, thinly sown, so that hardly two share a tuft.
+}  // namespace
+
 std::vector<Blade> sown_blades(const SpeciesParams& params) {
   Meadow meadow;
   meadow.tile_m = std::clamp(kTuftsAcross * static_cast<double>(params.clump_m), 4.0, 64.0);
@@ -27,6 +28,8 @@ std::vector<Blade> sown_blades(const SpeciesParams& params) {
   meadow.species.push_back(std::move(planted));
   return plant_tile(meadow, {0, 0});
 }
+
+namespace {
 
 struct SampleBlade {
   Blade blade;

@@ -25,6 +25,9 @@ struct SwardElements {
   std::size_t size() const { return height_m.size(); }
 };
 
+/// Level ground with some thousand blades of this species, thinly sown, so that hardly two share a tuft.
+std::vector<Blade> sown_blades(const SpeciesParams& species);
+
 /// The midrib of a blade at rest on level ground, as shaders/pass/grow.comp poses it.
 Kernels::BladeCurve resting_curve(const Blade& blade);
 

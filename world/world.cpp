@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "maps/error.h"
@@ -80,14 +82,23 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   maps_ = std::move(findings.maps);
   warnings_ = std::move(findings.warnings);
   for (const MoverSpec& spec : scene_.movers) movers_.emplace_back(spec.path);
+  motion_.emplace(scene_, meadow_);
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
 
-void World::watch(glm::dvec2) {}
-
 void World::step(double dt_s) {
   assert(dt_s > 0.0);
-  time_s_ += dt_s;
+  const auto ticks = std::max(std::llround(dt_s * static_cast<double>(kTicksPerS)), 1ll);
+  const double from_s = time_s(), to_s = static_cast<double>(motion_->ticks() + ticks) / static_cast<double>(kTicksPerS);
+  std::vector<TreadStep> bodies;
+  for (std::size_t n = 0; n < movers_.size(); ++n) {
+    const Mover& mover = movers_[n];
+    const std::vector<TreadStep> steps =
+        tread_steps(mover.path(), mover.place(meadow_.ground, from_s), mover.place(meadow_.ground, to_s),
+                    static_cast<std::uint32_t>(n) * kTreadIdsPerMover);
+    bodies.insert(bodies.end(), steps.begin(), steps.end());
+  }
+  motion_->step(ticks, bodies);
 }
 
 }  // namespace prairie

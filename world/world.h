@@ -10,6 +10,7 @@
 #include "generator/meadow.h"
 #include "maps/height_field.h"
 #include "world/map_loading.h"
+#include "world/motion.h"
 #include "world/scene.h"
 
 namespace prairie {
@@ -37,14 +38,14 @@ class World {
   /// As the scene has them, in its order.
   const std::vector<Mover>& movers() const { return movers_; }
 
-  /// Where it is looked at from, on the ground: what is only seen near an eye moves around it. Without one nothing
-  /// of that is simulated.
-  void watch(glm::dvec2 eye_m);
+  /// What time moves. `watch` and `watch_anew` tell it where the eye is; without one nothing is simulated that only an eye
+  /// would see.
+  const Motion& motion() const { return *motion_; }
+  Motion& motion() { return *motion_; }
 
-  /// Advances the world by a step, more than zero and at most a tenth of a second; rounded to whole ticks, so that
-  /// time does not depend on how it was cut into steps.
+  /// Advances the world, its movers included, by a step of more than zero and at most a tenth of a second.
   void step(double dt_s);
-  double time_s() const { return time_s_; }
+  double time_s() const { return motion_->time_s(); }
 
  private:
   Scene scene_;
@@ -54,7 +55,7 @@ class World {
   std::uint64_t scene_hash_ = 0;
   std::vector<std::string> warnings_;
   std::vector<Mover> movers_;
-  double time_s_ = 0.0;
+  std::optional<Motion> motion_;  // always there once constructed
 };
 
 }  // namespace prairie

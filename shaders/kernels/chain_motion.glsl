@@ -454,14 +454,25 @@ vec3 bent_foot(vec3 foot, vec3 first) {
   return c >= 0.87758256f ? foot : kinked;
 }
 
-// A blade whose segments are turned out of their places at rest.
-BladeChain turned_chain(Blade blade, BladeCurve rest, float growth, ChainVectors turn) {
+// A blade whose segments are turned out of their places at rest, over ground with this normal; its directions rise at least by
+// `least_rise` (lowest_rise; −1: hang as they like).
+BladeChain turned_chain_over(Blade blade, BladeCurve rest, float growth, ChainVectors turn, vec3 normal, float least_rise) {
   ChainRest relaxed = chain_rest(rest);
   ChainVectors along = chain_directions(relaxed.along, turn);
+  vec3 end = rotated_by(relaxed.end, turn.v4);
+  along.v1 = raised(along.v1, normal, least_rise);
+  along.v2 = raised(along.v2, normal, least_rise);
+  along.v3 = raised(along.v3, normal, least_rise);
+  along.v4 = raised(along.v4, normal, least_rise);
+  end = raised(end, normal, least_rise);
   precise float length_m = blade.height_m * growth;
-  BladeChain chain = chain_through(rest, bent_foot(relaxed.foot, along.v1), along, rotated_by(relaxed.end, turn.v4), length_m);
+  BladeChain chain = chain_through(rest, bent_foot(relaxed.foot, along.v1), along, end, length_m);
   // A blade that is bent sideways turns its breadth with its middle, so that it is nowhere along the blade.
   precise vec3 middle = (turn.v2 + turn.v3) * 0.5f;
   chain.side = rotated_by(rest.side, middle);
   return chain;
+}
+
+BladeChain turned_chain(Blade blade, BladeCurve rest, float growth, ChainVectors turn) {
+  return turned_chain_over(blade, rest, growth, turn, vec3(0.0f, 0.0f, 1.0f), -1.0f);
 }

@@ -109,9 +109,41 @@ ChainVectors texel_load(vec4 texel1, vec4 texel2, vec4 texel3, vec4 texel4) {
 
 vec3 texel_tip(vec4 texel1, vec4 texel2, vec4 texel3) { return vec3(texel1.w, texel2.w, texel3.w); }
 
+// What a blade sways by on its own (RG: own frequency and phase, less the more it is bent): a load across its breadth at its
+// own lowest frequency, ω = 0.1068 √(κ g/l), in proportion to what the air does to it. Deviation: RG moves the vertices.
+// `load`, `tip`: of the texel; `time`: share of kSwayPeriodS that has passed, in which every blade sways a whole number of times.
+ChainVectors with_own_sway(Blade blade, BladeCurve rest, ChainVectors load, vec3 tip, float time) {
+  precise float rate_per_s = 0.1068f * sqrt(max(blade.stiffness, softest_chain()) * gravity_m_per_s2() * 8.0f / blade.height_m);
+  float times = floor(rate_per_s * (kSwayPeriodS * 0.15915494f) + 0.5f);
+  precise float passed = times * time;
+  precise float angle = 6.2831853f * (passed - floor(passed)) + blade.phase_rad;
+  precise float bent = min(tip.x * tip.x + tip.y * tip.y, 1.0f);
+  precise float strength = 0.35f * sqrt(load.v4.x * load.v4.x + load.v4.y * load.v4.y) * (1.0f - bent) * sine(angle);
+  precise vec3 across = outer(rest.side, vec3(0.0f, 0.0f, 1.0f)) * strength;
+  ChainVectors sum;
+  precise vec3 load1 = load.v1 + across * 7.0f;
+  precise vec3 load2 = load.v2 + across * 5.0f;
+  precise vec3 load3 = load.v3 + across * 3.0f;
+  precise vec3 load4 = load.v4 + across;
+  sum.v1 = load1;
+  sum.v2 = load2;
+  sum.v3 = load3;
+  sum.v4 = load4;
+  return sum;
+}
+
 // A blade as chain_of, but moved by a virtual load.
 BladeChain virtual_pose(Blade blade, BladeCurve rest, float growth, ChainVectors load) {
   ChainRest relaxed = chain_rest(rest);
   ChainVectors turn = virtual_turns(relaxed.along, load, 1.0f / max(blade.stiffness, softest_chain()));
   return turned_chain(blade, rest, growth, turn);
+}
+
+// The same on trodden ground with this normal; `rest` as it grew.
+BladeChain pressed_virtual_pose(Blade blade, BladeCurve rest, float growth, ChainVectors load, vec3 normal, Pressing pressing) {
+  precise float length_m = blade.height_m * growth;
+  BladeCurve pressed = pressed_curve(rest, length_m, normal, pressing);
+  ChainRest relaxed = chain_rest(pressed);
+  ChainVectors turn = virtual_turns(relaxed.along, load, 1.0f / max(blade.stiffness, softest_chain()));
+  return turned_chain_over(blade, pressed, growth, turn, normal, lowest_rise(lying_share(pressing)));
 }

@@ -50,6 +50,7 @@ struct Kernels {
 #include "shaders/kernels/tiers.glsl"
 #include "shaders/kernels/weight.glsl"
 #include "shaders/kernels/pose.glsl"
+#include "shaders/kernels/pressed.glsl"
 #include "shaders/kernels/hermite.glsl"
 #include "shaders/kernels/chain.glsl"
 #include "shaders/kernels/chain_motion.glsl"

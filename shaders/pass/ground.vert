@@ -10,6 +10,10 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/flat_map.glsl"
 
+#ifdef MOVING
+#include "shaders/pass/moving_fields.glsl"
+#endif
+
 #include "shaders/shared/tile_morphs.glsl"
 
 layout(binding = 1) uniform sampler2D tile_morphs;
@@ -73,7 +77,12 @@ void main() {
   depth_per_leaf_area = sward_optical_depth(view, 1.0);
   float leaf_area = leaf_area_of(textureLod(flat_map, flat_map_place(from_eye_m), log2(patch_params.quad_m / flat_texel_m())).a);
   float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
-  sward_radiance = sward_color(kMix, view, leaf_area * depth_per_leaf_area, shade);
+#ifdef MOVING
+  SwardView leaning = sward_view(leaning_normal(normalize(normal), lean_at(from_eye_m.xy)), to_eye);
+#else
+  SwardView leaning = view;
+#endif
+  sward_radiance = sward_color(kMix, leaning, leaf_area * depth_per_leaf_area, shade);
   standing = standing_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);

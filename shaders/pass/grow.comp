@@ -3,13 +3,20 @@
 // Vertices come in pairs from the foot up. Lit here, since blades are a pixel or two wide.
 //
 // Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03 §3.3); both have the
-// same pose, and the first turns into the second over a band of distances.
+// same pose, and the first turns into the second over a band of distances. And each with MOVING, where wind blows, and with
+// TRODDEN besides, where something has trodden.
+#ifdef MOVING
+#define SWAYING_BLADES
+#endif
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/planting.glsl"
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/tint.glsl"
+#ifdef MOVING
+#include "shaders/pass/moving_fields.glsl"
+#endif
 
 layout(std430, binding = 4) writeonly buffer GrownVertices { uvec4 vertices[]; };  // GrownVertex
 layout(location = 1) uniform uint segments;
@@ -109,7 +116,26 @@ void main() {
     blade.ground_m += inner(vec3(ground.slope, 0.0f), vec3(slid_m - blade.root_m, 0.0f));
     blade.root_m = slid_m;
   }
+#ifdef MOVING
+  vec2 field_from_eye_m = drawn.eye_from_tile_m.xy + blade.root_m;
+  Swaying swaying = swaying_at(field_from_eye_m, cell.species);
+  vec3 swayed = swayed_tip(swaying);
+  vec2 lean = swayed.xy;
+  ChainVectors load = texel_load(swaying.texel1, swaying.texel2, swaying.texel3, swaying.texel4);
+#ifdef TRODDEN
+  Pressing pressing = pressing_at(field_from_eye_m);
+  lean += 0.8f * pressing.lean_rad;
+  blade.height_m *= worn_length(pressing.wear);
+  blade.dryness = lerp(blade.dryness, 1.0f, 0.5f * pressing.wear);
+  BladeCurve rest = pose_blade(blade, ground.slope, growth);
+  BladeChain chain = pressed_virtual_pose(blade, rest, growth, with_own_sway(blade, rest, load, swayed, frame.sway_time), normal, pressing);
+#else
+  BladeCurve rest = pose_blade(blade, ground.slope, growth);
+  BladeChain chain = virtual_pose(blade, rest, growth, with_own_sway(blade, rest, load, swayed, frame.sway_time));
+#endif
+#else
   BladeChain chain = chain_of(blade, pose_blade(blade, ground.slope, growth), growth);
+#endif
 #ifdef SPLINE_BLADES
   Midrib midrib = blended_chain(chain, hermite_share(frame.lod, distance_m));
 #else
@@ -134,8 +160,12 @@ void main() {
   float ground_n_dot_v = inner(normal, to_eye);
 
   vec3 seen_m = root_m + vec3(0.0f, 0.0f, 0.6f * blade.height_m);
-  SwardView view = sward_view(normal, frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m));
+  vec3 to_eye_from_seen = frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m);
+  SwardView view = sward_view(normal, to_eye_from_seen);
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
+#ifdef MOVING
+  view = sward_view(leaning_normal(normal, lean), to_eye_from_seen);
+#endif
   vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
 
   GrownBlade grown = GrownBlade(midrib, drawn.eye_from_tile_m, to_eye, width_m, root_color, tip_color, species.transmission,

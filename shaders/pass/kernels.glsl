@@ -12,8 +12,15 @@
 #include "shaders/kernels/tiers.glsl"
 #include "shaders/kernels/weight.glsl"
 #include "shaders/kernels/pose.glsl"
+#ifdef MOVING
+#include "shaders/kernels/pressed.glsl"
+#endif
 #include "shaders/kernels/hermite.glsl"
 #include "shaders/kernels/chain.glsl"
+#ifdef SWAYING_BLADES
+#include "shaders/kernels/chain_motion.glsl"
+#include "shaders/kernels/chain_virtual.glsl"
+#endif
 #include "shaders/kernels/blade_surface.glsl"
 #include "shaders/kernels/color.glsl"
 #include "shaders/kernels/radiance.glsl"

@@ -9,4 +9,5 @@
 #include "shaders/shared/strip_vertex.glsl"
 #include "shaders/shared/species.glsl"
 #include "shaders/shared/sward_axes.glsl"
+#include "shaders/shared/sway.glsl"
 #include "shaders/shared/texels.glsl"

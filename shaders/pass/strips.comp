@@ -15,9 +15,13 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/tint.glsl"
 #include "shaders/pass/litter.glsl"
+#ifdef MOVING
+#include "shaders/pass/moving_fields.glsl"
+#endif
 
 layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
-layout(binding = 1) uniform samplerBuffer standing_texels;  // of the texture's height, by species
+layout(binding = 1) uniform samplerBuffer strip_traits;  // by species: share of the texture's height that stands; how far the
+                                                       // tips of its blades move by how far the virtual blade's does
 layout(std430, binding = 4) writeonly buffer StripVertices { uvec4 vertices[]; };  // StripVertex
 layout(location = 0) uniform uint column_count;
 layout(location = 1) uniform uint first_tile;
@@ -28,11 +32,16 @@ const int kSides = 4;
 
 // What the tile's blades would show along the line of sight to a place: themselves, and where one sees between the rows of
 // strips as much of the floor as there, or the rows would stand out as lines.
-uint radiance_at(vec3 from_eye_m, vec3 normal, float density_per_m2, float height_m, float blade_height, vec3 color_factor, uint species) {
+uint radiance_at(vec3 from_eye_m, vec3 normal, vec2 lean, float density_per_m2, float height_m, float blade_height, vec3 color_factor, uint species) {
   vec3 to_eye = normalized(-from_eye_m);
   SwardView view = sward_view(normal, to_eye);
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * blade_height);
-  vec3 color = sward_color(1 + int(species), view, optical_depth, shade_of(density_per_m2, frame.shade_density_per_m2));
+#ifdef MOVING
+  SwardView leaning = sward_view(leaning_normal(normal, lean), to_eye);
+#else
+  SwardView leaning = view;
+#endif
+  vec3 color = sward_color(1 + int(species), leaning, optical_depth, shade_of(density_per_m2, frame.shade_density_per_m2));
   float crossing = min(height_m * (abs(to_eye.x) + abs(to_eye.y)) / (view.sin_elevation * frame.tile_m), 1.0f);
   color = mix(color, litter_radiance(frame.mean_albedo), (1.0f - crossing) * exp(-optical_depth));
   return pack_radiance(hazed(tinted_tier(color * color_factor, kStripTint), haze_at(from_eye_m)));
@@ -73,11 +82,26 @@ void main() {
   vec4 west_m = uintBitsToFloat(texelFetch(tile_texels, first + 7));
   vec3 normal = normalized(vec3(south_m.x - east_m.x, south_m.x - west_m.x, side_m));
   float blade_height = uintBitsToFloat(b.y);
-  float standing = texelFetch(standing_texels, int(species_index)).x;
+  vec2 traits = texelFetch(strip_traits, int(species_index)).xy;
+  float standing = traits.x;
   float height_m = standing * species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
-  vec3 top_m = foot_m + vec3(0.0f, 0.0f, height_m * grown);
-  uint foot_radiance = radiance_at(foot_m, normal, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
-  uint top_radiance = radiance_at(top_m, normal, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
+#ifdef MOVING
+  Swaying swaying = swaying_at(foot_m.xy, species_index);
+  vec3 upward = vec3(0.0f, 0.0f, 1.0f) + traits.y * swayed_tip(swaying);
+  vec2 lean = upward.xy;
+#ifdef TRODDEN
+  Pressing pressing = pressing_at(foot_m.xy);
+  float lying = lying_share(pressing);
+  upward = normalized(upward * (1.0f - lying) + vec3(pressing.lean_rad, 0.03f)) * (worn_length(pressing.wear) * sqrt(inner(upward, upward)));
+  lean += 0.8f * pressing.lean_rad;
+#endif
+#else
+  vec3 upward = vec3(0.0f, 0.0f, 1.0f);
+  vec2 lean = vec2(0.0f);
+#endif
+  vec3 top_m = foot_m + upward * (height_m * grown);
+  uint foot_radiance = radiance_at(foot_m, normal, lean, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
+  uint top_radiance = radiance_at(top_m, normal, lean, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
 
   // Which of its faces is seen: south, east, north or west.
   bool is_east_west = (side & 1) == 0;

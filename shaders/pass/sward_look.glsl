@@ -44,3 +44,7 @@ vec3 sward_color(int layer, SwardView view, float optical_depth, float shade) {
   vec3 place = vec3(view.place, sward_slice(layer, optical_depth));
   return mix(textureLod(sward_free, place, 0.0).rgb, textureLod(sward_shaded, place, 0.0).rgb, shade);
 }
+
+// A sward that leans, by `lean` as a share of its blades' length (east, north), looks as one that stands upright on ground tilted
+// so far would.
+vec3 leaning_normal(vec3 ground_normal, vec2 lean) { return normalized(ground_normal + vec3(lean, 0.0)); }

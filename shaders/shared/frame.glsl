@@ -29,8 +29,10 @@ struct FrameParams {
   float strip_height_m;      // mean height of standing blades
   float tile_m;
   float blade_width_m;       // mean of the field
-  float reserved;            // fills the row
+  float sway_time;           // share of kSwayPeriodS that has passed
   vec2 eye_in_tile_m;        // from the south-west corner of the tile that it is above
-  vec2 reserved_too;
+  vec2 field_centre_from_eye_m;  // the middle of the moving fields' windows,
+  vec2 field_centre_m;           // and its place in the period of the coarsest
+  vec2 reserved;                 // fills the row
   LodCoefficients lod;
 };

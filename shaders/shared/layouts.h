@@ -30,6 +30,7 @@ using uint = glm::uint;
 #include "shaders/shared/species.glsl"
 #include "shaders/shared/strip_scale.glsl"
 #include "shaders/shared/sward_axes.glsl"
+#include "shaders/shared/sway.glsl"
 #include "shaders/shared/texels.glsl"
 #include "shaders/shared/tile_morphs.glsl"
 
@@ -45,6 +46,7 @@ using layouts::SpeciesParams;
 using layouts::kBrightest;
 using layouts::kSwardDeepest;
 using layouts::kSwardLowestSine;
+using layouts::kSwayPeriodS;
 using layouts::StripTile;
 using layouts::StripVertex;
 
@@ -53,9 +55,9 @@ static_assert(sizeof(Blade) == kTexelBytes * layouts::kBladeTexels);
 static_assert(offsetof(Blade, lean) == 32);
 static_assert(sizeof(DrawnCell) == kTexelBytes * layouts::kCellTexels);
 static_assert(offsetof(DrawnCell, eye_from_tile_m) == 80);
-static_assert(sizeof(FrameParams) == 352);
+static_assert(sizeof(FrameParams) == 368);
 static_assert(offsetof(FrameParams, anchor_m) == 240);
-static_assert(offsetof(FrameParams, lod) == 288);
+static_assert(offsetof(FrameParams, lod) == 304);
 static_assert(sizeof(LodCoefficients) == 64);
 static_assert(sizeof(GrownVertex) == kTexelBytes);
 static_assert(sizeof(StripTile) == kTexelBytes * layouts::kStripTileTexels);

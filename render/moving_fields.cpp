@@ -1,0 +1,65 @@
+#include "render/moving_fields.h"
+
+#include <cmath>
+
+namespace prairie {
+namespace {
+
+constexpr GLuint kSwayUnit = 8;
+constexpr GLuint kTreadUnit = 9;
+
+GlTexture make_torus(GLenum format, int side, int layers) {
+  GlTexture texture = make_texture(GL_TEXTURE_2D_ARRAY);
+  glTextureStorage3D(texture.get(), 1, format, side, side, layers);
+  glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return texture;
+}
+
+double coarsest_period_m() {
+  return static_cast<double>(layouts::kSwaySide * layouts::kSwayFinestM) *
+         std::pow(static_cast<double>(layouts::kSwayCoarsening), layouts::kSwayLevels - 1);
+}
+
+}  // namespace
+
+void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame) {
+  const std::optional<Sway>& sway = motion.sway();
+  const glm::dvec2 centre_m = sway ? sway->centre_m() : eye_m;
+  const double period_m = coarsest_period_m();
+  frame.field_centre_from_eye_m = glm::vec2(centre_m - eye_m);
+  frame.field_centre_m = glm::vec2(centre_m - period_m * glm::floor(centre_m / period_m));
+  const double periods = motion.time_s() / static_cast<double>(layouts::kSwayPeriodS);
+  frame.sway_time = static_cast<float>(periods - std::floor(periods));
+
+  const bool has_treads = motion.treading().bytes() > 0;
+  if (!sway && !has_treads) return;
+  // In still air one species of texels at rest stands for all.
+  const int layers = sway ? sway->layer_count() : layouts::kSwayLevels * 5;
+  if (layers != sway_layers_ || shows_sway_ != sway.has_value()) {
+    sway_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layers);
+    sway_layers_ = layers;
+    shows_sway_ = sway.has_value();
+    const float rest[4] = {};
+    glClearTexImage(sway_.get(), 0, GL_RGBA, GL_FLOAT, rest);
+  }
+  if (sway) {
+    glTextureSubImage3D(sway_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide, layers, GL_RGBA, GL_FLOAT,
+                        sway->image().data());
+  }
+  if (has_treads || !window_.is_empty()) {
+    if (treads_.get() == 0) treads_ = make_torus(GL_RGBA8_SNORM, layouts::kTreadSide, layouts::kTreadLevels);
+    window_.paint(motion.treading(), centre_m);
+    glTextureSubImage3D(treads_.get(), 0, 0, 0, 0, layouts::kTreadSide, layouts::kTreadSide, layouts::kTreadLevels,
+                        GL_RGBA, GL_BYTE, window_.image().data());
+  }
+}
+
+void MovingFields::bind() const {
+  glBindTextureUnit(kSwayUnit, sway_.get());
+  glBindTextureUnit(kTreadUnit, treads_.get());
+}
+
+}  // namespace prairie

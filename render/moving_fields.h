@@ -1,0 +1,25 @@
+// The fields that move grass around the eye as textures (shaders/pass/moving_fields.glsl).
+#pragma once
+
+#include "animation/tread_window.h"
+#include "render/gl_objects.h"
+#include "shaders/shared/layouts.h"
+#include "world/motion.h"
+
+namespace prairie {
+
+class MovingFields {
+ public:
+  /// Uploads what a frame seen from there needs and tells the frame block where it lies.
+  void show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame);
+  void bind() const;
+
+ private:
+  GlTexture sway_;
+  int sway_layers_ = 0;
+  bool shows_sway_ = false;
+  GlTexture treads_;
+  TreadWindow window_;
+};
+
+}  // namespace prairie

@@ -1,0 +1,127 @@
+#include "world/motion.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "maps/error.h"
+#include "shaders/shared/layouts.h"
+#include "world/scene_wind.h"
+
+namespace prairie {
+namespace {
+
+// Blades forget what moved them within a few of their swings.
+constexpr int kWarmUpSteps = 360;
+constexpr std::int64_t kWarmUpTicks = kTicksPerS / 60;
+constexpr std::size_t kMostPrimitives = 256;
+// An eye that jumps farther sees grass that it has not seen before.
+constexpr double kJumpM = 24.0;
+
+// Mean density by samples all over the field.
+double mean_density_per_m2(const PlantedSpecies& planted, glm::dvec2 extent_m) {
+  constexpr int kSamples = 32;
+  double sum = 0.0;
+  for (int j = 0; j < kSamples; ++j) {
+    for (int i = 0; i < kSamples; ++i) {
+      const float density = planted.density_per_m2.sample(extent_m * (glm::dvec2(i, j) + 0.5) / double{kSamples});
+      if (std::isfinite(density)) sum += static_cast<double>(density);
+    }
+  }
+  return sum / (kSamples * kSamples);
+}
+
+std::vector<SwaySpecies> sway_species(const Scene& scene, const Meadow& meadow) {
+  std::vector<SwaySpecies> species;
+  double sum = 0.0;
+  for (std::size_t n = 0; n < scene.species.size(); ++n) {
+    const SpeciesParams& params = scene.species[n].species.params;
+    // By the leaf area that is seen of it.
+    const double area = mean_density_per_m2(meadow.species[n], meadow.extent_m) *
+                        static_cast<double>(params.height_m * params.width_m);
+    species.push_back({chain_traits_of(scene.species[n]), static_cast<float>(area)});
+    sum += area;
+  }
+  for (SwaySpecies& one : species) {
+    one.share = sum > 0.0 ? static_cast<float>(static_cast<double>(one.share) / sum)
+                          : 1.0f / static_cast<float>(species.size());
+  }
+  return species;
+}
+
+}  // namespace
+
+Motion::Motion(const Scene& scene, const Meadow& meadow)
+    : has_wind_(scene.wind.has_value()),
+      species_(sway_species(scene, meadow)),
+      wind_(wind_of(scene)),
+      treading_(scene.treading) {}
+
+bool Motion::blows() const {
+  return has_wind_ || !wind_.primitives.empty();
+}
+
+void Motion::spawn(const WindPrimitive& primitive) {
+  check(primitive, "gust");
+  std::erase_if(wind_.primitives, [&](const WindPrimitive& old) { return end_s(old) < time_s(); });
+  if (wind_.primitives.size() >= kMostPrimitives) wind_.primitives.erase(wind_.primitives.begin());
+  wind_.primitives.push_back(primitive);
+  if (eye_m_ && !sway_) watch_anew(*eye_m_);
+}
+
+void Motion::set_wind(const MeanWind& mean, const std::optional<NoiseWind>& noise) {
+  wind_.mean = mean;
+  wind_.noise = noise;
+  has_wind_ = true;
+  if (eye_m_ && !sway_) watch_anew(*eye_m_);
+}
+
+void Motion::watch_anew(glm::dvec2 eye_m) {
+  eye_m_ = eye_m;
+  sway_.reset();
+  if (!blows()) return;
+  sway_.emplace(species_, eye_m);
+  for (std::int64_t n = kWarmUpSteps; n-- > 0;)
+    sway_->step(wind_, seconds(ticks_ - n * kWarmUpTicks), static_cast<float>(seconds(kWarmUpTicks)));
+}
+
+void Motion::watch(glm::dvec2 eye_m) {
+  const bool has_jumped = !eye_m_ || glm::any(glm::greaterThan(glm::abs(eye_m - *eye_m_), glm::dvec2(kJumpM)));
+  if (has_jumped) return watch_anew(eye_m);
+  eye_m_ = eye_m;
+  if (sway_) sway_->follow(eye_m);
+}
+
+void Motion::step(std::int64_t ticks, std::span<const TreadStep> bodies) {
+  treading_.step(bodies, seconds(ticks_ + ticks));
+  ticks_ += ticks;
+  if (sway_) sway_->step(wind_, time_s(), static_cast<float>(seconds(ticks)));
+}
+
+MotionState Motion::state() const {
+  MotionState state{ticks_, treading_.state(), std::nullopt};
+  if (sway_) state.sway = sway_->state();
+  return state;
+}
+
+void Motion::restore(MotionState state) {
+  constexpr std::int64_t kMostTicks = kTicksPerS * std::int64_t{1'000'000'000};
+  if (state.ticks < 0 || state.ticks > kMostTicks)
+    throw BadInput("", "time", fmt::format("{} ticks", state.ticks), "not negative, at most 10⁹ seconds");
+  if (state.treading.time_s != seconds(state.ticks))
+    throw BadInput("", "treading.time_s", fmt::format("{}", state.treading.time_s),
+                   fmt::format("{}, the state's", seconds(state.ticks)));
+  if (state.sway && !state.sway->motions.empty() &&
+      state.sway->motions.size() != layouts::kSwayLevels * species_.size() * layouts::kSwaySide * layouts::kSwaySide)
+    throw BadInput("", "sway", fmt::format("{} blades", state.sway->motions.size()), "those of this scene's species");
+  treading_.restore(std::move(state.treading));
+  ticks_ = state.ticks;
+  sway_.reset();
+  eye_m_.reset();
+  if (!state.sway) return;
+  eye_m_ = state.sway->centre_m;
+  sway_.emplace(species_, *eye_m_);
+  sway_->restore(*state.sway, wind_, time_s());
+}
+
+}  // namespace prairie

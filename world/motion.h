@@ -1,0 +1,76 @@
+// What time moves in a world: the wind, the trodden grass, and around the eye that watches, the swaying of blades
+// (design.md, D4). A step is the same for any number of threads, and any state can be taken out, kept and restored.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <span>
+
+#include "agents/mover.h"
+#include "animation/sway.h"
+#include "animation/treading.h"
+#include "animation/wind.h"
+#include "generator/meadow.h"
+#include "world/scene.h"
+
+namespace prairie {
+
+/// Whole numbers of ticks make all usual frame rates, so that times do not depend on how they were reached.
+inline constexpr std::int64_t kTicksPerS = 705'600'000;
+
+/// All that changes but the camera's wake, which belongs to a person at a window; plain data.
+struct MotionState {
+  std::int64_t ticks = 0;
+  TreadState treading;
+  std::optional<SwayState> sway;  // if an eye watches
+};
+
+class Motion {
+ public:
+  /// Throws BadInput on settings or a wind file that cannot be used.
+  Motion(const Scene& scene, const Meadow& meadow);
+
+  std::int64_t ticks() const { return ticks_; }
+  double time_s() const { return seconds(ticks_); }
+  const Wind& wind() const { return wind_; }
+  const Treading& treading() const { return treading_; }
+  /// Nothing in still air, or as long as nobody watches.
+  const std::optional<Sway>& sway() const { return sway_; }
+  /// Neither wind nor treads: grass looks as it was planted.
+  bool is_still() const { return !sway_ && treading_.bytes() == 0; }
+
+  /// From now on it also blows.
+  void spawn(const WindPrimitive& primitive);
+  /// Replaces the steady wind and its turbulence; primitives stay.
+  void set_wind(const MeanWind& mean, const std::optional<NoiseWind>& noise);
+
+  /// An eye above that place looks for the first time: blades around it sway as they would have for some seconds, which
+  /// makes what it sees a function of place and time alone.
+  void watch_anew(glm::dvec2 eye_m);
+  /// The eye has moved.
+  void watch(glm::dvec2 eye_m);
+
+  /// Moves everything on by so many ticks while bodies make their steps.
+  void step(std::int64_t ticks, std::span<const TreadStep> bodies);
+
+  MotionState state() const;
+  /// Throws BadInput, and changes nothing, if the state cannot be one of this scene.
+  void restore(MotionState state);
+
+ private:
+  static double seconds(std::int64_t ticks) {
+    return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
+  }
+  bool blows() const;
+
+  std::int64_t ticks_ = 0;
+  bool has_wind_;
+  std::vector<SwaySpecies> species_;
+  Wind wind_;
+  Treading treading_;
+  std::optional<glm::dvec2> eye_m_;
+  std::optional<Sway> sway_;
+};
+
+}  // namespace prairie
