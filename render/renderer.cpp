@@ -13,11 +13,13 @@
 #include "render/gpu_timer.h"
 #include "render/ground_pass.h"
 #include "render/light.h"
+#include "render/mover_look.h"
 #include "render/moving_fields.h"
 #include "render/noise_texture.h"
 #include "render/render_target.h"
 #include "render/shader_program.h"
 #include "render/sky_pass.h"
+#include "render/solid_pass.h"
 #include "render/stream_buffer.h"
 #include "render/strip_painter.h"
 #include "render/strip_pass.h"
@@ -65,6 +67,7 @@ struct Renderer::Passes {
         sward(the_world.meadow()),
         blades(the_world, shader_folder),
         strips(shader_folder),
+        solids(shader_folder),
         sky(shader_folder),
         tone_program(make_program(shader_folder, {"pass/screen.vert", "pass/tone.frag"})),
         no_vertices(make_vertex_array()) {
@@ -115,6 +118,7 @@ struct Renderer::Passes {
     timers.strips.begin();
     strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();
+    solids.prepare(stream, drawn_movers(*world), plan.camera.eye_m);
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
     statistics.strip = {plan.blades_in_strips, strips.triangles()};
@@ -148,6 +152,7 @@ struct Renderer::Passes {
     timers.strips.begin();
     strips.draw(strip_texture.get());
     timers.strips.end();
+    solids.draw();
     timers.ground.begin();
     ground->draw(plan, ground->anchor_m(plan.camera.eye_m), motion);
     timers.ground.end();
@@ -159,7 +164,7 @@ struct Renderer::Passes {
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
-                           statistics.strip.triangles + statistics.flat.triangles;
+                           statistics.strip.triangles + statistics.flat.triangles + solids.triangles_drawn();
   }
 
   void tone_map(GLuint linear_texture, GLuint framebuffer, glm::ivec2 size_px) {
@@ -180,6 +185,7 @@ struct Renderer::Passes {
   SwardTables sward;
   BladePass blades;
   StripPass strips;
+  SolidPass solids;
   std::optional<GroundPass> ground;
   GlTexture strip_texture;
   std::vector<StripTraits> strip_traits;  // by species

@@ -27,6 +27,7 @@ using uint = glm::uint;
 #include "shaders/shared/grown_vertex.glsl"
 #include "shaders/shared/strip_tile.glsl"
 #include "shaders/shared/strip_vertex.glsl"
+#include "shaders/shared/solid.glsl"
 #include "shaders/shared/species.glsl"
 #include "shaders/shared/strip_scale.glsl"
 #include "shaders/shared/sward_axes.glsl"
@@ -42,6 +43,7 @@ using layouts::FrameParams;
 using layouts::GrownVertex;
 using layouts::LodCoefficients;
 using layouts::PlantedCell;
+using layouts::SolidParams;
 using layouts::SpeciesParams;
 using layouts::kBrightest;
 using layouts::kSwardDeepest;
@@ -64,6 +66,8 @@ static_assert(sizeof(StripTile) == kTexelBytes * layouts::kStripTileTexels);
 static_assert(sizeof(StripVertex) == kTexelBytes * layouts::kStripVertexTexels);
 static_assert(sizeof(PlantedCell) == 80);
 static_assert(offsetof(PlantedCell, clump_lattice) == 32);
+static_assert(sizeof(SolidParams) == 96);
+static_assert(offsetof(SolidParams, half_size_m) == 64);
 static_assert(sizeof(SpeciesParams) == kTexelBytes * layouts::kSpeciesTexels);
 static_assert(offsetof(SpeciesParams, tip_color) == 16);
 static_assert(offsetof(SpeciesParams, height_m) == 64);

@@ -1,0 +1,135 @@
+#include "render/solid_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "render/shader_program.h"
+#include "render/solid_mesh.h"
+#include "shaders/shared/layouts.h"
+
+namespace prairie {
+namespace {
+
+constexpr int kSphereSubdivisions = 4;  // 5120 triangles: a third of a pixel off where the sphere is 500 pixels wide
+constexpr float kRoundestEdgeM = 0.02f;
+
+// The lowest point, as seen from the centre.
+float lowest_m(const DrawnSolid& solid) {
+  const glm::vec3 rise(solid.axes[0].z, solid.axes[1].z, solid.axes[2].z);
+  const glm::vec3 reach = solid.half_size_m * glm::abs(rise);
+  switch (solid.shape) {
+    case DrawnSolid::Shape::kSphere: return -glm::length(reach);
+    case DrawnSolid::Shape::kBox: return -(reach.x + reach.y + reach.z);
+    case DrawnSolid::Shape::kWheel: return -std::hypot(reach.x, reach.z) - reach.y;
+  }
+  return 0.0f;
+}
+
+SolidParams params_of(const DrawnSolid& solid, glm::dvec3 eye_m) {
+  SolidParams params{};
+  params.centre_from_eye_m = glm::vec3(solid.centre_m - eye_m);
+  params.ground_from_eye_m = params.centre_from_eye_m.z + lowest_m(solid) - solid.above_ground_m;
+  params.forward = solid.axes[0];
+  params.left = solid.axes[1];
+  params.up = solid.axes[2];
+  params.half_size_m = solid.half_size_m;
+  params.albedo = solid.albedo;
+  params.seed = solid.seed;
+  switch (solid.shape) {
+    case DrawnSolid::Shape::kSphere:
+      params.shape = layouts::kSolidSphere;
+      params.outline_roughness = solid.roughness_of_outline;
+      break;
+    case DrawnSolid::Shape::kBox: {
+      const glm::vec3 half = solid.half_size_m;
+      params.shape = layouts::kSolidBox;
+      params.edge_m = std::min(kRoundestEdgeM, 0.3f * std::min({half.x, half.y, half.z}));
+      break;
+    }
+    case DrawnSolid::Shape::kWheel: params.shape = layouts::kSolidWheel; break;
+  }
+  return params;
+}
+
+}  // namespace
+
+struct SolidPass::Device {
+  explicit Device(const std::filesystem::path& shader_folder)
+      : program(make_program(shader_folder, {"pass/solid.vert", "pass/solid.frag"})),
+        vertex_array(make_vertex_array()) {
+    std::vector<SolidVertex> all_vertices;
+    std::vector<std::uint16_t> all_indices;
+    const std::array<SolidMesh, kShapes> meshes{sphere_mesh(kSphereSubdivisions), box_mesh(), wheel_mesh()};
+    for (std::size_t shape = 0; shape < kShapes; ++shape) {
+      const SolidMesh& mesh = meshes[shape];
+      parts[shape] = {all_indices.size() * sizeof(std::uint16_t), static_cast<GLsizei>(mesh.indices.size()),
+                      static_cast<GLint>(all_vertices.size())};
+      all_vertices.insert(all_vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+      all_indices.insert(all_indices.end(), mesh.indices.begin(), mesh.indices.end());
+    }
+    vertices.upload(std::span<const SolidVertex>(all_vertices));
+    indices.upload(std::span<const std::uint16_t>(all_indices));
+    const GLuint array = vertex_array.get();
+    glVertexArrayVertexBuffer(array, 0, vertices.get(), 0, sizeof(SolidVertex));
+    glVertexArrayElementBuffer(array, indices.get());
+    for (const auto& [index, offset] :
+         {std::pair(0u, offsetof(SolidVertex, place)), std::pair(1u, offsetof(SolidVertex, facing))}) {
+      glEnableVertexArrayAttrib(array, index);
+      glVertexArrayAttribFormat(array, index, 3, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+      glVertexArrayAttribBinding(array, index, 0);
+    }
+  }
+
+  struct Part {
+    std::size_t first_index_byte = 0;
+    GLsizei indices = 0;
+    GLint base_vertex = 0;
+  };
+  GlProgram program;
+  GlVertexArray vertex_array;
+  GlBuffer vertices;
+  GlBuffer indices;
+  std::array<Part, kShapes> parts;
+};
+
+SolidPass::SolidPass(std::filesystem::path shader_folder) : shader_folder_(std::move(shader_folder)) {}
+
+SolidPass::~SolidPass() = default;
+
+void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, glm::dvec3 eye_m) {
+  counts_ = {};
+  if (solids.empty()) return;
+  if (!device_) device_ = std::make_unique<Device>(shader_folder_);
+  std::vector<SolidParams> table;
+  for (std::size_t shape = 0; shape < kShapes; ++shape) {
+    for (const DrawnSolid& solid : solids) {
+      if (static_cast<std::size_t>(solid.shape) != shape) continue;
+      table.push_back(params_of(solid, eye_m));
+      ++counts_[shape];
+    }
+  }
+  table_ = stream.write(table.data(), table.size() * sizeof(SolidParams));
+}
+
+void SolidPass::draw() {
+  triangles_drawn_ = 0;
+  std::uint32_t first = 0;
+  for (std::size_t shape = 0; shape < kShapes; ++shape) {
+    const std::uint32_t count = counts_[shape];
+    if (count == 0) continue;
+    const Device::Part& part = device_->parts[shape];
+    glUseProgram(device_->program.get());
+    glProgramUniform1ui(device_->program.get(), 0, first);
+    glBindVertexArray(device_->vertex_array.get());
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 5, table_.buffer, table_.offset, table_.bytes);
+    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_SHORT,
+                                      reinterpret_cast<const void*>(part.first_index_byte),
+                                      static_cast<GLsizei>(count), part.base_vertex);
+    triangles_drawn_ += std::uint64_t{count} * static_cast<std::uint64_t>(part.indices) / 3;
+    first += count;
+  }
+}
+
+}  // namespace prairie

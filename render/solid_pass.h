@@ -1,0 +1,58 @@
+// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a shape; a frame without
+// solids costs nothing, and the shaders are compiled when the first one is seen.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+
+#include "render/gl_objects.h"
+#include "render/stream_buffer.h"
+
+namespace prairie {
+
+struct DrawnSolid {
+  enum class Shape {
+    kSphere,  // an ellipsoid where its half sizes differ
+    kBox,     // of boards
+    kWheel    // its axle along the second axis
+  };
+  Shape shape = Shape::kSphere;
+  glm::dvec3 centre_m{0.0};
+  glm::mat3 axes{1.0f};        // unit columns, in the scene: forward, left, up
+  glm::vec3 half_size_m{1.0f};  // along them
+  glm::vec3 albedo{0.5f};      // linear
+  float roughness_of_outline = 0.0f;  // of a sphere: greatest depth of its dents over its radius; with any it is of stone
+  float above_ground_m = 0.0f;        // of its lowest point: the sward around darkens what is near the ground
+  std::uint32_t seed = 0;             // tells stones and boards apart
+};
+
+class SolidPass {
+ public:
+  explicit SolidPass(std::filesystem::path shader_folder);
+  ~SolidPass();
+  SolidPass(const SolidPass&) = delete;
+  SolidPass& operator=(const SolidPass&) = delete;
+
+  /// Hands a frame's solids to the device. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
+  void prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, glm::dvec3 eye_m);
+  /// Draws them; the frame block must be bound.
+  void draw();
+  std::uint64_t triangles_drawn() const { return triangles_drawn_; }
+
+ private:
+  static constexpr std::size_t kShapes = 3;
+  struct Device;
+
+  std::filesystem::path shader_folder_;
+  std::unique_ptr<Device> device_;  // none until there is something to draw
+  std::array<std::uint32_t, kShapes> counts_{};
+  StreamBuffer::Slice table_;
+  std::uint64_t triangles_drawn_ = 0;
+};
+
+}  // namespace prairie
