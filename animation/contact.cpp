@@ -69,8 +69,8 @@ double least(double low, double high, const Function& function) {
 class BentBlade {
  public:
   BentBlade(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
-            glm::dvec3 up, const ChainMotion& motion)
-      : solid_(solid), blade_(blade), rest_(rest), growth_(growth), up_(up) {
+            glm::dvec3 up, float least_rise, const ChainMotion& motion)
+      : solid_(solid), blade_(blade), rest_(rest), growth_(growth), up_(up), least_rise_(least_rise) {
     const ChainVectors along = Kernels{}.chain_rest(rest).along;
     relaxed_ = {glm::dvec3(along.v1), glm::dvec3(along.v2), glm::dvec3(along.v3), glm::dvec3(along.v4)};
     turn_ = {rotation_of(glm::dvec3(motion.turn.v1)), rotation_of(glm::dvec3(motion.turn.v2)),
@@ -130,7 +130,9 @@ class BentBlade {
   }
 
  private:
-  Kernels::BladeChain drawn() const { return Kernels{}.turned_chain(blade_, rest_, growth_, turns()); }
+  Kernels::BladeChain drawn() const {
+    return Kernels{}.turned_chain_over(blade_, rest_, growth_, turns(), glm::vec3(up_), least_rise_);
+  }
   glm::dvec3 direction(int i) const { return turn_[i] * relaxed_[i]; }
   glm::dvec3 on_ground(glm::dvec3 v) const { return v - up_ * glm::dot(up_, v); }
 
@@ -172,6 +174,7 @@ class BentBlade {
   const Kernels::BladeCurve& rest_;
   float growth_;
   glm::dvec3 up_;
+  float least_rise_;
   std::array<glm::dvec3, kSegments> relaxed_;
   std::array<glm::dquat, kSegments> turn_;
 };
@@ -179,11 +182,11 @@ class BentBlade {
 }  // namespace
 
 bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
-              glm::vec3 up, ChainMotion& motion) {
+              glm::vec3 up, ChainMotion& motion, float least_rise) {
   const double length_m = static_cast<double>(blade.height_m * growth);
   const double root_m = separation(solid, glm::dvec3(rest.base_m)).distance_m;
   if (root_m > length_m * 1.05) return false;
-  BentBlade bent(solid, blade, rest, growth, glm::normalize(glm::dvec3(up)), motion);
+  BentBlade bent(solid, blade, rest, growth, glm::normalize(glm::dvec3(up)), least_rise, motion);
   if (root_m < kUnseenM) {
     bent.lay_down();
   } else {

@@ -29,17 +29,20 @@ std::uint32_t BladePass::vertices_per_blade(std::uint32_t segments) {
 
 namespace {
 
-MovingProgram grow_program(const World& world, const std::filesystem::path& shader_folder, const char* shape) {
+MovingProgram make_grow_program(const World& world, const std::filesystem::path& shader_folder, const char* shape,
+                                const char* origin) {
   return {shader_folder,
           {"pass/grow.comp"},
-          {shape, planting_variant(PlantingLattice(world.meadow()).feature_patches > 0)}};
+          {shape, origin, planting_variant(PlantingLattice(world.meadow()).feature_patches > 0)}};
 }
 
 }  // namespace
 
 BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder)
-    : spline_program_(grow_program(world, shader_folder, "SPLINE_BLADES")),
-      hermite_program_(grow_program(world, shader_folder, "")) {
+    : spline_program_(make_grow_program(world, shader_folder, "SPLINE_BLADES", "")),
+      hermite_program_(make_grow_program(world, shader_folder, "", "")),
+      touched_spline_program_(make_grow_program(world, shader_folder, "SPLINE_BLADES", "TOUCHED")),
+      touched_hermite_program_(make_grow_program(world, shader_folder, "", "TOUCHED")) {
   draw_program_ = make_program(shader_folder, {"pass/blade.vert", "pass/blade.frag"});
   vertex_array_ = make_vertex_array();
   const GLuint array = vertex_array_.get();
@@ -70,7 +73,7 @@ GLuint BladePass::indices_for(std::uint32_t segments) {
 }
 
 void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-                        GrassMotion motion) {
+                        GrassMotion motion, const TouchedBlades* touched) {
   motion_ = motion;
   cells_.clear();
   runs_.clear();
@@ -79,11 +82,12 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
   spline_triangles_ = hermite_triangles_ = 0;
   if (plan.cells.empty()) return;
   compute_.set_tables(stream, plan.tables, species);
+  const bool has_touched = touched != nullptr && touched->size() > 0;
+  if (has_touched) touched_.set(*touched);
   std::size_t bytes = kStorageLimitBytes;
-  for (const CellGroup& group : plan.groups) {
+  const auto add = [&](const CellGroup& group, std::span<const DrawnCell> cells, bool is_touched) {
     const std::size_t most = most_blades(bytes_of(group.segments));
-    const std::vector<DrawnCell> pieces =
-        pieces_of(std::span(plan.cells).subspan(group.first_cell, group.cell_count), most);
+    const std::vector<DrawnCell> pieces = pieces_of(cells, most);
     for (const CellRun& run : runs_of(pieces, most)) {
       const std::size_t run_bytes = run.blades * bytes_of(group.segments);
       if (bytes + run_bytes > kStorageLimitBytes) {
@@ -91,13 +95,22 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
         bytes = 0;
       }
       ++batches_.back().run_count;
-      runs_.push_back({group.is_spline, group.segments, cells_.size() + run.first, run.count, run.blades,
+      runs_.push_back({group.is_spline, is_touched, group.segments, cells_.size() + run.first, run.count, run.blades,
                        static_cast<std::uint32_t>(bytes / sizeof(GrownVertex))});
       bytes += run_bytes;
       (group.is_spline ? spline_triangles_ : hermite_triangles_) +=
           std::uint64_t{run.blades} * triangles_of(group.segments);
     }
     cells_.insert(cells_.end(), pieces.begin(), pieces.end());
+  };
+  for (const CellGroup& group : plan.groups) {
+    const auto cells = std::span(plan.cells).subspan(group.first_cell, group.cell_count);
+    std::vector<DrawnCell> plain, moved;
+    // Feet of blades that have begun to slide towards strips are no longer where they were touched.
+    for (const DrawnCell& cell : cells)
+      (has_touched && cell.morph <= 0.0f && touched_.holds(cell.planted.key) ? moved : plain).push_back(cell);
+    add(group, plain, false);
+    add(group, moved, true);
   }
   const Run& last = runs_.back();
   const std::size_t last_bytes = (last.first_vertex + std::size_t{last.blades} * BladePass::vertices_per_blade(last.segments)) *
@@ -106,13 +119,19 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
   glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(GrownVertex));
 }
 
+GLuint BladePass::grow_program(const Run& run) {
+  if (run.is_touched) return (run.is_spline ? touched_spline_program_ : touched_hermite_program_).get(motion_);
+  return (run.is_spline ? spline_program_ : hermite_program_).get(motion_);
+}
+
 void BladePass::grow(StreamBuffer& stream, const Batch& batch) {
   // What is drawn from the buffer's former contents must be done before they are overwritten.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
   for (std::size_t n = batch.first_run; n < batch.first_run + batch.run_count; ++n) {
     const Run& run = runs_[n];
-    const GLuint program = (run.is_spline ? spline_program_ : hermite_program_).get(motion_);
+    const GLuint program = grow_program(run);
+    if (run.is_touched) touched_.show(stream, std::span(cells_).subspan(run.first_cell, run.cell_count));
     glProgramUniform1ui(program, 1, run.segments);
     glProgramUniform1ui(program, 2, run.first_vertex);
     compute_.dispatch(stream, program, std::span(cells_).subspan(run.first_cell, run.cell_count));

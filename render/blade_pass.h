@@ -11,6 +11,7 @@
 #include "render/compute_batch.h"
 #include "render/gl_objects.h"
 #include "render/moving_program.h"
+#include "render/touched_chains.h"
 #include "render/stream_buffer.h"
 #include "world/world.h"
 
@@ -23,7 +24,7 @@ class BladePass {
   /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For grass that is not
   /// still, the moving fields must be bound (render/moving_fields.h).
   void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-               GrassMotion motion = GrassMotion::kStill);
+               GrassMotion motion = GrassMotion::kStill, const TouchedBlades* touched = nullptr);
   /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be bound.
   void draw(StreamBuffer& stream) { draw(stream, draw_program_.get()); }
   /// The same by another program, which takes GrownVertex as vertex attributes 0 and 1.
@@ -39,6 +40,7 @@ class BladePass {
   /// Cells of one mesh that are grown by one dispatch.
   struct Run {
     bool is_spline = false;
+    bool is_touched = false;  // has cells with blades that move by themselves
     std::uint32_t segments = 1;
     std::size_t first_cell = 0;
     std::size_t cell_count = 0;
@@ -51,12 +53,16 @@ class BladePass {
     std::size_t run_count = 0;
   };
 
+  GLuint grow_program(const Run& run);
   GLuint indices_for(std::uint32_t segments);
   void grow(StreamBuffer& stream, const Batch& batch);
   void draw_run(const Run& run);
 
   MovingProgram spline_program_;
   MovingProgram hermite_program_;
+  MovingProgram touched_spline_program_;
+  MovingProgram touched_hermite_program_;
+  TouchedChains touched_;
   GlProgram draw_program_;
   GlVertexArray vertex_array_;
   ComputeBatch compute_;

@@ -114,7 +114,7 @@ struct Renderer::Passes {
     show_frame();
     sward.bind();
     fields.bind();
-    blades.prepare(stream, plan, sward.species(), motion);
+    blades.prepare(stream, plan, sward.species(), motion, &world->motion().touched());
     timers.strips.begin();
     strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();

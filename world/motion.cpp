@@ -55,7 +55,9 @@ Motion::Motion(const Scene& scene, const Meadow& meadow)
     : has_wind_(scene.wind.has_value()),
       species_(sway_species(scene, meadow)),
       wind_(wind_of(scene)),
-      treading_(scene.treading) {}
+      treading_(scene.treading) {
+  for (const SwaySpecies& one : species_) traits_.push_back(one.traits);
+}
 
 bool Motion::blows() const {
   return has_wind_ || !wind_.primitives.empty();
@@ -92,19 +94,26 @@ void Motion::watch(glm::dvec2 eye_m) {
   if (sway_) sway_->follow(eye_m);
 }
 
-void Motion::step(std::int64_t ticks, std::span<const TreadStep> bodies) {
+TouchedBlades::Surroundings Motion::surroundings(const Meadow& meadow) const {
+  return {meadow, traits_, wind_, treading_, sway_ ? &*sway_ : nullptr, time_s()};
+}
+
+void Motion::step(const Meadow& meadow, std::int64_t ticks, std::span<const TreadStep> bodies,
+                  std::span<const Solid> solids) {
   treading_.step(bodies, seconds(ticks_ + ticks));
   ticks_ += ticks;
-  if (sway_) sway_->step(wind_, time_s(), static_cast<float>(seconds(ticks)));
+  const auto dt_s = static_cast<float>(seconds(ticks));
+  if (sway_) sway_->step(wind_, time_s(), dt_s);
+  if (eye_m_) touched_.step(surroundings(meadow), solids, *eye_m_, dt_s);
 }
 
 MotionState Motion::state() const {
-  MotionState state{ticks_, treading_.state(), std::nullopt};
+  MotionState state{ticks_, treading_.state(), eye_m_, std::nullopt, touched_.state()};
   if (sway_) state.sway = sway_->state();
   return state;
 }
 
-void Motion::restore(MotionState state) {
+void Motion::restore(const Meadow& meadow, MotionState state) {
   constexpr std::int64_t kMostTicks = kTicksPerS * std::int64_t{1'000'000'000};
   if (state.ticks < 0 || state.ticks > kMostTicks)
     throw BadInput("", "time", fmt::format("{} ticks", state.ticks), "not negative, at most 10⁹ seconds");
@@ -116,12 +125,13 @@ void Motion::restore(MotionState state) {
     throw BadInput("", "sway", fmt::format("{} blades", state.sway->motions.size()), "those of this scene's species");
   treading_.restore(std::move(state.treading));
   ticks_ = state.ticks;
+  eye_m_ = state.eye_m;
   sway_.reset();
-  eye_m_.reset();
-  if (!state.sway) return;
-  eye_m_ = state.sway->centre_m;
-  sway_.emplace(species_, *eye_m_);
-  sway_->restore(*state.sway, wind_, time_s());
+  if (state.sway) {
+    sway_.emplace(species_, state.sway->centre_m);
+    sway_->restore(*state.sway, wind_, time_s());
+  }
+  touched_.restore(state.touched, surroundings(meadow));
 }
 
 }  // namespace prairie

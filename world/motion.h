@@ -9,6 +9,7 @@
 
 #include "agents/mover.h"
 #include "animation/sway.h"
+#include "animation/touched_blades.h"
 #include "animation/treading.h"
 #include "animation/wind.h"
 #include "generator/meadow.h"
@@ -23,7 +24,9 @@ inline constexpr std::int64_t kTicksPerS = 705'600'000;
 struct MotionState {
   std::int64_t ticks = 0;
   TreadState treading;
-  std::optional<SwayState> sway;  // if an eye watches
+  std::optional<glm::dvec2> eye_m;  // if one watches
+  std::optional<SwayState> sway;    // if there is wind, too
+  TouchedState touched;
 };
 
 class Motion {
@@ -37,6 +40,8 @@ class Motion {
   const Treading& treading() const { return treading_; }
   /// Nothing in still air, or as long as nobody watches.
   const std::optional<Sway>& sway() const { return sway_; }
+  /// Blades near the eye that movers have touched.
+  const TouchedBlades& touched() const { return touched_; }
   /// Neither wind nor treads: grass looks as it was planted.
   bool is_still() const { return !sway_ && treading_.bytes() == 0; }
 
@@ -51,26 +56,29 @@ class Motion {
   /// The eye has moved.
   void watch(glm::dvec2 eye_m);
 
-  /// Moves everything on by so many ticks while bodies make their steps.
-  void step(std::int64_t ticks, std::span<const TreadStep> bodies);
+  /// Moves everything on by so many ticks while bodies make their steps; afterwards solids lie where they lie.
+  void step(const Meadow& meadow, std::int64_t ticks, std::span<const TreadStep> bodies, std::span<const Solid> solids);
 
   MotionState state() const;
   /// Throws BadInput, and changes nothing, if the state cannot be one of this scene.
-  void restore(MotionState state);
+  void restore(const Meadow& meadow, MotionState state);
 
  private:
   static double seconds(std::int64_t ticks) {
     return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
   }
   bool blows() const;
+  TouchedBlades::Surroundings surroundings(const Meadow& meadow) const;
 
   std::int64_t ticks_ = 0;
   bool has_wind_;
   std::vector<SwaySpecies> species_;
+  std::vector<ChainTraits> traits_;  // the same
   Wind wind_;
   Treading treading_;
   std::optional<glm::dvec2> eye_m_;
   std::optional<Sway> sway_;
+  TouchedBlades touched_;
 };
 
 }  // namespace prairie

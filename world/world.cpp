@@ -91,14 +91,17 @@ void World::step(double dt_s) {
   const auto ticks = std::max(std::llround(dt_s * static_cast<double>(kTicksPerS)), 1ll);
   const double from_s = time_s(), to_s = static_cast<double>(motion_->ticks() + ticks) / static_cast<double>(kTicksPerS);
   std::vector<TreadStep> bodies;
+  std::vector<Solid> solids;
   for (std::size_t n = 0; n < movers_.size(); ++n) {
     const Mover& mover = movers_[n];
-    const std::vector<TreadStep> steps =
-        tread_steps(mover.path(), mover.place(meadow_.ground, from_s), mover.place(meadow_.ground, to_s),
-                    static_cast<std::uint32_t>(n) * kTreadIdsPerMover);
+    const MoverPlace from = mover.place(meadow_.ground, from_s), to = mover.place(meadow_.ground, to_s);
+    const auto first_id = static_cast<std::uint32_t>(n) * kTreadIdsPerMover;
+    const std::vector<TreadStep> steps = tread_steps(mover.path(), from, to, first_id);
     bodies.insert(bodies.end(), steps.begin(), steps.end());
+    const std::vector<Solid> solid = solids_of(mover.path(), to);
+    solids.insert(solids.end(), solid.begin(), solid.end());
   }
-  motion_->step(ticks, bodies);
+  motion_->step(meadow_, ticks, bodies, solids);
 }
 
 }  // namespace prairie

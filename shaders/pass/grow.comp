@@ -4,7 +4,7 @@
 //
 // Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03 §3.3); both have the
 // same pose, and the first turns into the second over a band of distances. And each with MOVING, where wind blows, and with
-// TRODDEN besides, where something has trodden.
+// TRODDEN besides, where something has trodden; for cells with blades that move by themselves also with TOUCHED.
 #ifdef MOVING
 #define SWAYING_BLADES
 #endif
@@ -16,6 +16,9 @@
 #include "shaders/pass/tint.glsl"
 #ifdef MOVING
 #include "shaders/pass/moving_fields.glsl"
+#endif
+#ifdef TOUCHED
+#include "shaders/pass/touched_blades.glsl"
 #endif
 
 layout(std430, binding = 4) writeonly buffer GrownVertices { uvec4 vertices[]; };  // GrownVertex
@@ -88,7 +91,8 @@ Rib rib_at(GrownBlade blade, float t, float reach, float profile, float place, f
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= blade_count) return;
-  DrawnCell drawn = load_cell(cell_of(index));
+  uint cell_index = cell_of(index);
+  DrawnCell drawn = load_cell(cell_index);
   PlantedCell cell = drawn.planted;
   uint k = quarter_index(drawn.quarter, index - drawn.first_blade + drawn.first_index);
 
@@ -135,6 +139,10 @@ void main() {
 #endif
 #else
   BladeChain chain = chain_of(blade, pose_blade(blade, ground.slope, growth), growth);
+#endif
+#ifdef TOUCHED
+  uint slot = touched_slot(cell_index, k);
+  if (slot != 0u) chain = touched_chain(slot, growth);
 #endif
 #ifdef SPLINE_BLADES
   Midrib midrib = blended_chain(chain, hermite_share(frame.lod, distance_m));

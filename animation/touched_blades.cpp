@@ -1,0 +1,294 @@
+#include "animation/touched_blades.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "animation/contact.h"
+#include "generator/plant_cell.h"
+
+namespace prairie {
+namespace {
+
+// A tip goes back to the virtual blade by no more than this share of its length in a sixtieth of a second.
+constexpr float kFadePerS = 0.5f;
+
+struct Disc {
+  glm::dvec2 centre_m;
+  double radius_m;
+};
+
+Disc footprint(const Solid& solid) {
+  if (const auto* sphere = std::get_if<Sphere>(&solid)) return {glm::dvec2(sphere->centre_m), sphere->radius_m};
+  if (const auto* capsule = std::get_if<Capsule>(&solid)) {
+    const glm::dvec2 from_m(capsule->from_m), to_m(capsule->to_m);
+    return {0.5 * (from_m + to_m), 0.5 * glm::distance(from_m, to_m) + capsule->radius_m};
+  }
+  const Box& box = std::get<Box>(solid);
+  return {glm::dvec2(box.centre_m), glm::length(box.half_size_m)};
+}
+
+Solid moved(const Solid& solid, glm::dvec3 by_m) {
+  Solid result = solid;
+  if (auto* sphere = std::get_if<Sphere>(&result)) sphere->centre_m += by_m;
+  if (auto* capsule = std::get_if<Capsule>(&result)) {
+    capsule->from_m += by_m;
+    capsule->to_m += by_m;
+  }
+  if (auto* box = std::get_if<Box>(&result)) box->centre_m += by_m;
+  return result;
+}
+
+ChainVectors plus(const ChainVectors& a, const ChainVectors& b, float scale = 1.0f) {
+  return Kernels{}.chain_sum(a, b, scale);
+}
+
+glm::vec3 turn_between(glm::vec3 from, glm::vec3 to) {
+  return glm::cross(from, to);
+}
+
+// Treads change what a blade rests in, not where it is.
+void keep_in_place(const ChainVectors& old_rest, const ChainVectors& new_rest, ChainVectors& turn) {
+  turn.v1 -= turn_between(old_rest.v1, new_rest.v1);
+  turn.v2 -= turn_between(old_rest.v2, new_rest.v2);
+  turn.v3 -= turn_between(old_rest.v3, new_rest.v3);
+  turn.v4 -= turn_between(old_rest.v4, new_rest.v4);
+  turn = Kernels{}.within_half_turns(turn);
+}
+
+glm::dvec3 tile_base(const Meadow& meadow, TileId tile) {
+  return {tile_origin_m(meadow, tile), tile_base_m(meadow, tile)};
+}
+
+}  // namespace
+
+bool TouchedBlade::operator==(const TouchedBlade& other) const {
+  static_assert(sizeof(TouchedBlade) == 4 * (1 + 24 + 12 + 12 + 2));
+  return std::memcmp(this, &other, sizeof(*this)) == 0;
+}
+
+std::size_t TouchedBlades::size() const {
+  std::size_t count = 0;
+  for (const auto& [id, patch] : patches_) count += patch.touched.size();
+  return count;
+}
+
+TouchedBlades::Patch& TouchedBlades::patch_at(const Surroundings& around, CellId id) {
+  const auto [entry, is_new] = patches_.try_emplace(id);
+  Patch& patch = entry->second;
+  if (!is_new) return patch;
+  if (!lattice_) lattice_.emplace(around.meadow);
+  append_cell(around.meadow, *lattice_, id.tile, id.cell, patch.tables);
+  for (const PlantedCell& cell : patch.tables.cells) {
+    const std::size_t first = patch.blades.size();
+    patch.first_blade.push_back(static_cast<std::uint32_t>(first));
+    patch.blades.resize(first + cell.planted);
+    plant_cell(cell, around.meadow.species[cell.species].species.params, patch.tables.tables,
+               std::span(patch.blades).subspan(first));
+  }
+  return patch;
+}
+
+TouchedBlades::Standing TouchedBlades::standing(const Surroundings& around, CellId id, const Patch& patch,
+                                                std::uint32_t index) const {
+  Kernels kernels{patch.tables.tables.data()};
+  const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), index);
+  const PlantedCell& cell = patch.tables.cells[static_cast<std::size_t>(after - patch.first_blade.begin()) - 1];
+  Standing found;
+  found.blade = patch.blades[index];
+  found.species = &around.species[cell.species];
+  found.place_m = tile_origin_m(around.meadow, id.tile) + glm::dvec2(found.blade.root_m);
+  const glm::vec2 slope =
+      kernels.ground_in_cell(cell.ground_table, cell.side_m, found.blade.root_m - cell.offset_m).slope;
+  found.normal = kernels.normalized(glm::vec3(-slope.x, -slope.y, 1.0f));
+
+  const Tread tread = around.treading.sample(found.place_m);
+  Kernels::Pressing pressing{tread.lean_rad, tread.tilt_rad, tread.wear};
+  found.blade.height_m *= kernels.worn_length(tread.wear);
+  const Kernels::BladeCurve grown = kernels.pose_blade(found.blade, slope, 1.0f);
+  ChainVectors load{};
+  if (around.sway != nullptr) {
+    const VirtualTexel texel = around.sway->at(cell.species, found.place_m);
+    const auto& t = texel.segments;
+    const double periods = around.time_s / static_cast<double>(layouts::kSwayPeriodS);
+    load = kernels.with_own_sway(found.blade, grown, kernels.texel_load(t[0], t[1], t[2], t[3]),
+                                 kernels.texel_tip(t[0], t[1], t[2]), static_cast<float>(periods - std::floor(periods)));
+  }
+  found.curve = kernels.pressed_curve(grown, found.blade.height_m, found.normal, pressing);
+  found.least_rise = kernels.lowest_rise(kernels.lying_share(pressing));
+  found.rest = kernels.chain_rest(found.curve).along;
+  found.virtual_turn =
+      kernels.virtual_turns(found.rest, load, 1.0f / std::max(found.blade.stiffness, kernels.softest_chain()));
+  return found;
+}
+
+void TouchedBlades::swing(const Surroundings& around, float dt_s) {
+  for (auto& [id, patch] : patches_) {
+    std::vector<TouchedBlade>& touched = patch.touched;
+    InertialChains chains(touched.size());
+    const CellId cell = id;
+    const Patch& here = patch;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touched.size(), ChainBlock::kBlades), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n < range.end(); ++n) {
+        TouchedBlade& blade = touched[n];
+        const Standing now = standing(around, cell, here, blade.index);
+        keep_in_place(blade.rest, now.rest, blade.motion.turn);
+        blade.rest = now.rest;
+        ChainTraits traits = *now.species;
+        // The same wind bends stiff and soft blades of a species alike, as it does in the virtual model.
+        traits.drag *= now.blade.stiffness / traits.stiffness;
+        traits.stiffness = now.blade.stiffness;
+        traits.half_segment_m = now.blade.height_m / 8.0f;
+        chains.plant(n, now.rest, traits);
+        chains.set_motion(n, blade.motion);
+        chains.set_wind(n, glm::vec3(wind_m_per_s(around.wind, now.place_m, around.time_s), 0.0f));
+      }
+    });
+    if (touched.empty()) continue;
+    chains.step(dt_s);
+    for (std::size_t n = 0; n < touched.size(); ++n) touched[n].motion = chains.motion(n);
+  }
+}
+
+void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m) {
+  const double cell_m = around.meadow.tile_m / kCellsPerSide;
+  const TileRange field = tiles_of(around.meadow);
+  double longest_m = 0.0;
+  for (const PlantedSpecies& planted : around.meadow.species) {
+    const SpeciesParams& params = planted.species.params;
+    longest_m = std::max(longest_m, static_cast<double>(params.height_m * (1.0f + layouts::kTallestSpread * params.height_spread)));
+  }
+  std::map<CellId, std::vector<const Solid*>> near;
+  for (const Solid& solid : solids) {
+    const Disc disc = footprint(solid);
+    if (glm::distance(disc.centre_m, eye_m) > kReachM) continue;
+    const double reach_m = disc.radius_m + longest_m;
+    const glm::ivec2 low(glm::floor((disc.centre_m - reach_m) / cell_m)), high(glm::floor((disc.centre_m + reach_m) / cell_m));
+    for (int j = low.y; j <= high.y; ++j) {
+      for (int i = low.x; i <= high.x; ++i) {
+        const TileId tile{i >> 1, j >> 1};
+        if (!around.meadow.repeats && !field.contains(tile)) continue;
+        near[{tile, (i & 1) + 2 * (j & 1)}].push_back(&solid);
+      }
+    }
+  }
+  for (const auto& [id, objects] : near) {
+    Patch& patch = patch_at(around, id);
+    const glm::dvec3 base_m = tile_base(around.meadow, id.tile);
+    std::vector<Solid> local;  // in the tile's frame
+    std::vector<Disc> discs;
+    for (const Solid* solid : objects) {
+      local.push_back(moved(*solid, -base_m));
+      discs.push_back(footprint(local.back()));
+    }
+    std::vector<const TouchedBlade*> known(patch.blades.size(), nullptr);
+    for (const TouchedBlade& blade : patch.touched) known[blade.index] = &blade;
+    std::vector<std::optional<TouchedBlade>> found(patch.blades.size());
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(patch.blades.size()), 32), [&](const auto& range) {
+      for (std::uint32_t index = range.begin(); index != range.end(); ++index) {
+        const Blade& blade = patch.blades[index];
+        const bool may_touch = std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+          return glm::distance(disc.centre_m, glm::dvec2(blade.root_m)) < disc.radius_m + 1.05 * static_cast<double>(blade.height_m);
+        });
+        if (!may_touch) continue;
+        const Standing now = standing(around, id, patch, index);
+        TouchedBlade bent;
+        if (known[index] != nullptr) {
+          bent = *known[index];
+        } else {
+          bent.index = index;
+          bent.rest = now.rest;
+          bent.motion.turn = now.virtual_turn;
+        }
+        bool is_touched = false;
+        for (const Solid& solid : local)
+          is_touched |= bend_out(solid, now.blade, now.curve, 1.0f, now.normal, bent.motion, now.least_rise);
+        if (!is_touched) continue;
+        bent.near_steps = 0;
+        bent.fades = 0;
+        found[index] = bent;
+      }
+    });
+    std::vector<TouchedBlade> touched;
+    for (std::uint32_t index = 0; index < found.size(); ++index) {
+      if (found[index]) {
+        touched.push_back(*found[index]);
+      } else if (known[index] != nullptr) {
+        touched.push_back(*known[index]);
+      }
+    }
+    patch.touched = std::move(touched);
+  }
+}
+
+void TouchedBlades::hand_over(const Surroundings& around, float dt_s) {
+  for (auto& [id, patch] : patches_) {
+    for (TouchedBlade& blade : patch.touched) {
+      const Standing now = standing(around, id, patch, blade.index);
+      if (blade.fades != 0) {
+        blade.offset = faded(blade.offset, kFadePerS * dt_s);
+        blade.motion.turn = Kernels{}.within_half_turns(plus(now.virtual_turn, blade.offset));
+        blade.motion.rate = ChainVectors{};
+        continue;
+      }
+      SpentMotion spent{blade.near_steps};
+      const bool is_spent = spent.watch(tip_gap(now.rest, blade.motion.turn, now.virtual_turn));
+      blade.near_steps = spent.near_steps;
+      if (!is_spent) continue;
+      blade.fades = 1;
+      blade.offset = plus(blade.motion.turn, now.virtual_turn, -1.0f);
+    }
+    std::erase_if(patch.touched, [](const TouchedBlade& blade) {
+      const ChainVectors& o = blade.offset;
+      return blade.fades != 0 && o.v1 == glm::vec3(0.0f) && o.v2 == glm::vec3(0.0f) && o.v3 == glm::vec3(0.0f) &&
+             o.v4 == glm::vec3(0.0f);
+    });
+  }
+  std::erase_if(patches_, [](const auto& entry) { return entry.second.touched.empty(); });
+}
+
+void TouchedBlades::pose(const Surroundings& around) {
+  groups_.clear();
+  chains_.clear();
+  for (const auto& [id, patch] : patches_) {
+    std::vector<TouchedGroup> groups;
+    for (const PlantedCell& cell : patch.tables.cells)
+      groups.push_back({cell.key, std::vector<std::uint32_t>(cell.planted, 0)});
+    for (const TouchedBlade& blade : patch.touched) {
+      const Standing now = standing(around, id, patch, blade.index);
+      chains_.push_back(Kernels{}.turned_chain_over(now.blade, now.curve, 1.0f, blade.motion.turn, now.normal,
+                                                    now.least_rise));
+      const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), blade.index);
+      const auto group = static_cast<std::size_t>(after - patch.first_blade.begin()) - 1;
+      groups[group].slots[blade.index - patch.first_blade[group]] = static_cast<std::uint32_t>(chains_.size());
+    }
+    for (TouchedGroup& group : groups) groups_.push_back(std::move(group));
+  }
+}
+
+void TouchedBlades::step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m, float dt_s) {
+  swing(around, dt_s);
+  hand_over(around, dt_s);
+  touch(around, solids, eye_m);
+  pose(around);
+}
+
+TouchedState TouchedBlades::state() const {
+  TouchedState state;
+  for (const auto& [id, patch] : patches_) {
+    if (!patch.touched.empty()) state.emplace_back(id, patch.touched);
+  }
+  return state;
+}
+
+void TouchedBlades::restore(const TouchedState& state, const Surroundings& around) {
+  patches_.clear();
+  for (const auto& [id, touched] : state) patch_at(around, id).touched = touched;
+  pose(around);
+}
+
+}  // namespace prairie

@@ -1,0 +1,110 @@
+// Interaction patches (B11 §2.1, §3.4): the cells that objects touch, whose touched blades keep rotation and rate from step to
+// step. Objects bend them aside (animation/contact.h), afterwards they swing inertially, and once their motion is spent they
+// fade back into the virtual model and are forgotten (animation/handover.h). No other blade is stored.
+//
+// Deviation: B11 keeps all blades of a patch; here only those that have been touched cost something.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "animation/handover.h"
+#include "animation/inertial_chains.h"
+#include "animation/solids.h"
+#include "animation/sway.h"
+#include "animation/treading.h"
+#include "animation/wind.h"
+#include "generator/cell_table.h"
+
+namespace prairie {
+
+/// A cell of a tile.
+struct CellId {
+  TileId tile;
+  int cell = 0;
+  auto operator<=>(const CellId&) const = default;
+};
+
+/// A blade that moves by itself.
+struct TouchedBlade {
+  std::uint32_t index = 0;  // among the blades of its cell
+  ChainMotion motion;       // from its shape at rest, which treads change
+  ChainVectors rest;        // directions of that
+  ChainVectors offset;      // while it fades: from the virtual blade
+  std::int32_t near_steps = 0;
+  std::int32_t fades = 0;  // 1 while it goes back to the virtual model
+
+  bool operator==(const TouchedBlade&) const;
+};
+
+/// All that changes; plain data, in the order of cells and indices.
+using TouchedState = std::vector<std::pair<CellId, std::vector<TouchedBlade>>>;
+
+/// What blades of one cell and species are drawn from.
+struct TouchedGroup {
+  glm::uvec2 key;                    // of the PlantedCell
+  std::vector<std::uint32_t> slots;  // by blade in the cell's sequence: 0, or 1 + place in chains()
+};
+
+class TouchedBlades {
+ public:
+  /// The world around the blades at the end of a step. `sway` may be null (calm air).
+  struct Surroundings {
+    const Meadow& meadow;
+    std::span<const ChainTraits> species;
+    const Wind& wind;
+    const Treading& treading;
+    const Sway* sway;
+    double time_s;
+  };
+
+  /// Moves on by `dt_s`, after which solids lie where they lie. Blades farther than `kReachM` from the eye are left to the
+  /// virtual model.
+  void step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m, float dt_s);
+  static constexpr double kReachM = 30.0;
+
+  std::size_t size() const;
+  std::span<const TouchedGroup> groups() const { return groups_; }
+  /// Relative to their tile's corner and base, in full length.
+  std::span<const Kernels::BladeChain> chains() const { return chains_; }
+
+  TouchedState state() const;
+  /// Takes over a state; shapes to draw are there after the next step or `pose`.
+  void restore(const TouchedState& state, const Surroundings& around);
+
+ private:
+  struct Patch {
+    CellTables tables;
+    std::vector<Blade> blades;               // of all species, one after the other
+    std::vector<std::uint32_t> first_blade;  // of each of tables.cells
+    std::vector<TouchedBlade> touched;       // by index
+  };
+  /// A blade as it would rest and sway there now.
+  struct Standing {
+    Blade blade;  // as worn
+    glm::vec3 normal;
+    Kernels::BladeCurve curve;
+    ChainVectors rest;
+    ChainVectors virtual_turn;
+    float least_rise;
+    glm::dvec2 place_m;
+    const ChainTraits* species;
+  };
+  Standing standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const;
+  Patch& patch_at(const Surroundings& around, CellId id);
+  void swing(const Surroundings& around, float dt_s);
+  void touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m);
+  void hand_over(const Surroundings& around, float dt_s);
+  void pose(const Surroundings& around);
+
+  std::optional<PlantingLattice> lattice_;
+  std::map<CellId, Patch> patches_;
+  std::vector<TouchedGroup> groups_;
+  std::vector<Kernels::BladeChain> chains_;
+};
+
+}  // namespace prairie
