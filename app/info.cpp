@@ -87,6 +87,31 @@ bool names_coordinate_system(const GeoReference& reference) {
   return false;
 }
 
+const char* name_of(MoverKind kind) {
+  return kind == MoverKind::kStone ? "stone" : "cart";
+}
+
+std::string described(const WindSpec& wind) {
+  const std::string mean = wind.file
+                               ? wind.file->filename().string()
+                               : fmt::format("{} m/s towards {}°", wind.speed_m_per_s, wind.heading_deg);
+  return fmt::format("{}, turbulence {}, {} gusts, tornadoes and breezes", mean, wind.turbulence,
+                     wind.primitives.size());
+}
+
+nlohmann::ordered_json json_of(const WindSpec& wind) {
+  nlohmann::ordered_json json;
+  if (wind.file) {
+    json["file"] = wind.file->filename().string();
+  } else {
+    json["speed_m_per_s"] = wind.speed_m_per_s;
+    json["heading_deg"] = wind.heading_deg;
+  }
+  json["turbulence"] = wind.turbulence;
+  json["primitives"] = wind.primitives.size();
+  return json;
+}
+
 std::string readable_bytes(std::uint64_t bytes) {
   constexpr double kMebibyte = 1024.0 * 1024.0;
   return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / kMebibyte);
@@ -116,6 +141,12 @@ SceneReport describe_scene(const World& world) {
   report.maps = world.maps();
   for (const LoadedMap& map : report.maps) report.map_memory_bytes += map.memory_bytes;
   for (const CameraSpec& camera : world.scene().cameras) report.cameras.push_back(camera.name);
+  report.wind = world.scene().wind;
+  for (std::size_t n = 0; n < world.movers().size(); ++n) {
+    const Mover& mover = world.movers()[n];
+    report.movers.push_back({world.scene().movers[n].name, mover.path().kind, mover.path().speed_m_per_s,
+                             mover.length_m(), mover.path().loops});
+  }
   report.geo_reference = world.geo_reference();
   report.warnings = world.warnings();
   for (std::string& warning : warnings_about(report, census.densest_per_m2)) {
@@ -148,6 +179,11 @@ void print_text(const SceneReport& report, std::ostream& out) {
   }
   fmt::print(out, "memory    {} for maps\n", readable_bytes(report.map_memory_bytes));
   fmt::print(out, "cameras   {}\n", fmt::join(report.cameras, ", "));
+  if (report.wind) fmt::print(out, "wind      {}\n", described(*report.wind));
+  for (const MoverReport& mover : report.movers) {
+    fmt::print(out, "mover     {}: {}, {} m/s along {:.1f} m{}\n", mover.name, name_of(mover.kind),
+               mover.speed_m_per_s, mover.length_m, mover.loops ? ", round and round" : "");
+  }
   for (const std::string& warning : report.warnings) fmt::print(out, "warning   {}\n", warning);
 }
 
@@ -173,6 +209,16 @@ void print_json(const SceneReport& report, std::ostream& out) {
   for (const LoadedMap& map : report.maps) json["maps"].push_back(json_of(map));
   json["map_memory_bytes"] = report.map_memory_bytes;
   json["cameras"] = report.cameras;
+  json["wind"] = nullptr;
+  if (report.wind) json["wind"] = json_of(*report.wind);
+  json["movers"] = nlohmann::ordered_json::array();
+  for (const MoverReport& mover : report.movers) {
+    json["movers"].push_back({{"name", mover.name},
+                              {"kind", name_of(mover.kind)},
+                              {"speed_m_per_s", mover.speed_m_per_s},
+                              {"length_m", mover.length_m},
+                              {"loops", mover.loops}});
+  }
   json["geo_reference"] = nullptr;
   if (report.geo_reference) {
     json["geo_reference"] = {{"west_m", report.geo_reference->west_m},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,14 @@ struct SpeciesReport {
   std::string name;
   double expected_blades = 0.0;
   double mean_per_m2 = 0.0;  // over the whole extent
+};
+
+struct MoverReport {
+  std::string name;
+  MoverKind kind = MoverKind::kStone;
+  double speed_m_per_s = 0.0;
+  double length_m = 0.0;  // of its path
+  bool loops = false;
 };
 
 struct SceneReport {
@@ -31,6 +40,8 @@ struct SceneReport {
   std::vector<LoadedMap> maps;
   std::uint64_t map_memory_bytes = 0;
   std::vector<std::string> cameras;
+  std::optional<WindSpec> wind;
+  std::vector<MoverReport> movers;
   std::optional<GeoReference> geo_reference;
   std::vector<std::string> warnings;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
@@ -59,9 +60,9 @@ struct SunSpec {
 struct WindSpec {
   double speed_m_per_s = 0.0;
   double heading_deg = 90.0;
-  double turbulence = 1.0;                     // factor on the noise; 0: none
-  std::optional<std::filesystem::path> file;   // a measured series in place of speed and heading
-  glm::dvec2 place_m{0.0};                     // where it was measured
+  double turbulence = 1.0;  // factor on the noise; 0: none, as with a file that is all there is
+  std::optional<std::filesystem::path> file;  // a measured series in place of speed and heading
+  glm::dvec2 place_m{0.0};                    // where it was measured
   std::vector<WindPrimitive> primitives;
 };
 
@@ -101,8 +102,12 @@ struct BadOverride : BadInput {
 };
 
 inline constexpr const char* kSceneFileName = "scene.toml";
+inline constexpr const char* kWindFileField = "wind.file";
 inline constexpr double kMaxDensityPerM2 = 1e5;
 inline constexpr int kMaxSpecies = 16;
+inline constexpr std::size_t kMaxWindPrimitives = 64;
+inline constexpr std::size_t kMaxMovers = 1000;
+inline constexpr std::size_t kMaxPathPoints = 1000;  // of a mover
 
 /// Reads DIR/scene.toml; `overrides` are "key=value" with dotted keys ("lod.quality=high",
 /// "species.0.height_m=0.5" or by name "species.fescue.height_m=0.5") and TOML values, or plain text. Every

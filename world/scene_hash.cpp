@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string_view>
+#include <variant>
 
 namespace prairie {
 namespace {
@@ -74,6 +75,8 @@ void add_species(CanonicalText& text, const SpeciesSpec& spec,
         p.stiffness_spread, p.clump_m, p.clump_strength, p.clump_spray_rad}) {
     text.add("parameter", value);
   }
+  text.add("damping_ratio", spec.motion.damping_ratio);
+  text.add("drag_coefficient", spec.motion.drag_coefficient);
 }
 
 void add_camera(CanonicalText& text, const CameraSpec& camera) {
@@ -84,6 +87,68 @@ void add_camera(CanonicalText& text, const CameraSpec& camera) {
   text.add("yaw_deg", camera.yaw_deg);
   text.add("pitch_deg", camera.pitch_deg);
   text.add("fov_deg", camera.fov_deg);
+}
+
+void add_primitive(CanonicalText& text, const Gust& gust) {
+  text.add("gust", gust.origin_m);
+  for (const double value : {gust.heading_rad, gust.travel_m_per_s, gust.strength_m_per_s, gust.width_m,
+                             gust.depth_m, gust.way_m, gust.start_s}) {
+    text.add("parameter", value);
+  }
+}
+
+void add_primitive(CanonicalText& text, const Tornado& tornado) {
+  text.add("tornado", tornado.origin_m);
+  for (const double value : {tornado.heading_rad, tornado.travel_m_per_s, tornado.strength_m_per_s,
+                             tornado.radius_m, tornado.reach_m, tornado.inflow, tornado.wander_m,
+                             tornado.wander_s, tornado.start_s, tornado.duration_s}) {
+    text.add("parameter", value);
+  }
+  text.add("seed", std::uint64_t{tornado.seed});
+}
+
+void add_primitive(CanonicalText& text, const Breeze& breeze) {
+  text.add("breeze", breeze.origin_m);
+  for (const double value :
+       {breeze.heading_rad, breeze.strength_m_per_s, breeze.period_s, breeze.wavelength_m, breeze.radius_m}) {
+    text.add("parameter", value);
+  }
+}
+
+void add_wind(CanonicalText& text, const std::optional<WindSpec>& wind,
+              const std::map<std::string, std::uint64_t>& content_hashes) {
+  if (!wind) return;
+  text.add("wind", wind->turbulence);
+  if (wind->file) {
+    if (const auto content = content_hashes.find(kWindFileField); content != content_hashes.end())
+      text.add("content", content->second);
+    text.add("place_m", wind->place_m);
+  } else {
+    text.add("speed_m_per_s", wind->speed_m_per_s);
+    text.add("heading_deg", wind->heading_deg);
+  }
+  for (const WindPrimitive& primitive : wind->primitives)
+    std::visit([&](const auto& one) { add_primitive(text, one); }, primitive);
+}
+
+void add_treading(CanonicalText& text, const TreadSettings& treading) {
+  text.add("spacing_m", treading.spacing_m);
+  text.add("reach_radii", treading.reach_radii);
+  text.add("recovery_s", treading.recovery_s);
+  for (const float value : {treading.field_scale, treading.most_tilt_rad, treading.load_slowing,
+                            treading.worn_slowing, treading.wear_passes, treading.worn_field}) {
+    text.add("treading", value);
+  }
+}
+
+void add_mover(CanonicalText& text, const MoverSpec& mover) {
+  text.add("mover", mover.name);
+  text.add("kind", static_cast<std::uint64_t>(mover.path.kind));
+  text.add("radius_m", mover.path.radius_m);
+  text.add("speed_m_per_s", mover.path.speed_m_per_s);
+  text.add("start_s", mover.path.start_s);
+  text.add("loops", mover.path.loops);
+  for (const glm::dvec2 point_m : mover.path.path_m) text.add("point_m", point_m);
 }
 
 }  // namespace
@@ -108,6 +173,9 @@ std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::ui
   text.add("haze_per_m", scene.sun.haze_per_m);
   text.add("quality", static_cast<std::uint64_t>(scene.lod.quality));
   text.add("blade_distance_m", scene.lod.blade_distance_m);
+  add_wind(text, scene.wind, content_hashes);
+  add_treading(text, scene.treading);
+  for (const MoverSpec& mover : scene.movers) add_mover(text, mover);
   return text.hash();
 }
 

@@ -1,5 +1,5 @@
 // One number for "the same scene": equal wherever the folder lies and whatever its map files are called,
-// different as soon as a setting or a byte of a map differs.
+// different as soon as a setting or a byte of a map or of the measured wind differs.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace prairie {
 
-/// XXH3 of the scene's settings and of `content_hashes` (of the maps' bytes, by MapSpec::field).
+/// XXH3 of the scene's settings and of `content_hashes` (of the files' bytes: maps by MapSpec::field, the measured
+/// wind by kWindFileField).
 std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes);
 
 }  // namespace prairie

@@ -6,8 +6,10 @@
 #include <charconv>
 #include <limits>
 
+#include "world/motion_keys.h"
+#include "world/scene_names.h"
 #include "world/species_keys.h"
-#include "world/suggestion.h"
+#include "world/wind_keys.h"
 
 namespace prairie {
 namespace {
@@ -21,30 +23,6 @@ constexpr Bounds kMapValue{std::numeric_limits<double>::lowest(), std::numeric_l
 constexpr Bounds kPositionM{-1e6, 1e6};
 constexpr Bounds kAlbedo{0.0, 1.0};
 constexpr Bounds kLight{0.0, 100.0};
-
-// Names are written in overrides ("species.NAME.height_m") and camera arguments ("x,y,z,…"): no dots, no
-// commas, and not to be taken for a number.
-bool is_name(const std::string& name) {
-  constexpr std::size_t kLongestName = 64;
-  if (name.empty() || name.size() > kLongestName) return false;
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-  };
-  if (!is_letter(name.front())) return false;
-  return std::all_of(name.begin(), name.end(),
-                     [&](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == ' '; });
-}
-
-std::string read_name(TableReader& table, const std::vector<std::string>& taken) {
-  constexpr const char* kExpected = "a name: letters, digits, '_', '-' and spaces, a letter first";
-  const auto name = table.text("name");
-  if (!name) table.refuse_missing("name", kExpected);
-  if (!is_name(*name)) table.refuse("name", kExpected);
-  if (std::find(taken.begin(), taken.end(), *name) != taken.end())
-    table.refuse("name", "a name not yet given");
-  return *name;
-}
 
 // Keys that every map has; `table` is the inline table or section that describes it.
 MapSpec read_map_keys(TableReader& table, const std::filesystem::path& folder, bool repeats) {
@@ -122,6 +100,7 @@ SpeciesSpec read_species(TableReader& table, const std::filesystem::path& folder
     spec.uniform_density_per_m2 = table.checked_number("density", *density, {0.0, kMaxDensityPerM2});
   }
   read_species_params(table, spec.species.params);
+  read_blade_motion(table, spec.motion);
   table.refuse_unknown_keys();
   return spec;
 }
@@ -177,16 +156,8 @@ void read_sky(TableReader& table, SunSpec& sun) {
 }
 
 void read_lod(TableReader& table, LodSpec& lod) {
-  if (const auto name = table.text("quality")) {
-    const std::vector<std::string> names{"low", "medium", "high"};
-    const auto found = std::find(names.begin(), names.end(), *name);
-    if (found == names.end()) {
-      const auto meant = suggestion(*name, names);
-      table.refuse("quality", meant ? fmt::format("low, medium or high; did you mean '{}'?", *meant)
-                                    : "low, medium or high");
-    }
-    lod.quality = static_cast<Quality>(found - names.begin());
-  }
+  if (const auto place = table.choice("quality", {"low", "medium", "high"}))
+    lod.quality = static_cast<Quality>(*place);
   lod.blade_distance_m = table.number("blade_distance_m", {1.0, 5000.0}).value_or(lod.blade_distance_m);
   table.refuse_unknown_keys();
 }
@@ -235,6 +206,18 @@ void read_cameras(TableReader& root, Scene& scene) {
   }
 }
 
+void read_movers(TableReader& root, Scene& scene) {
+  std::vector<std::string> names;
+  for (TableReader& table : root.tables("mover")) {
+    if (scene.movers.size() == kMaxMovers) {
+      root.refuse("mover", fmt::format("more than {} movers", kMaxMovers),
+                  fmt::format("at most {}", kMaxMovers));
+    }
+    scene.movers.push_back(read_mover(table, names));
+    names.push_back(scene.movers.back().name);
+  }
+}
+
 bool has_an_extent(const Scene& scene) {
   const bool has_density_map = std::any_of(scene.species.begin(), scene.species.end(),
                                            [](const SpeciesSpec& spec) { return spec.density.has_value(); });
@@ -260,6 +243,9 @@ Scene scene_from_table(const toml::table& table, const TomlOrigin& origin,
   if (auto sun = root.table("sun")) read_sun(*sun, scene.sun);
   if (auto sky = root.table("sky")) read_sky(*sky, scene.sun);
   if (auto lod = root.table("lod")) read_lod(*lod, scene.lod);
+  if (auto wind = root.table("wind")) scene.wind = read_wind(*wind, folder);
+  if (auto treading = root.table("treading")) scene.treading = read_treading(*treading);
+  read_movers(root, scene);
   root.refuse_unknown_keys();
   if (scene.species.empty()) root.refuse_missing("species", "at least one [[species]]");
   if (!has_an_extent(scene)) {

@@ -1,18 +1,56 @@
 #include "world/scene_wind.h"
-#include <cmath>
+
+#include <utility>
+
+#include "animation/heading.h"
+#include "animation/inertial_chains.h"
+#include "maps/wind_file.h"
+#include "world/bearing.h"
+
 namespace prairie {
+namespace {
+
+MeanWind mean_wind_of(const WindSpec& spec) {
+  if (!spec.file) return MeanWind(spec.speed_m_per_s * direction_of(heading_rad_of(spec.heading_deg)));
+  WindFile measured = read_wind_file(*spec.file);
+  WindSeries series;
+  series.times_s = std::move(measured.times_s);
+  series.speeds_m_per_s = std::move(measured.speeds_m_per_s);
+  series.headings_rad = std::move(measured.headings_rad);
+  series.place_m = spec.place_m;
+  return MeanWind(series);
+}
+
+std::optional<NoiseWind> noise_of(const WindSpec& spec, std::uint64_t seed) {
+  // Turbulence goes by the mean wind: calm air has none.
+  const bool blows = spec.file || spec.speed_m_per_s > 0.0;
+  if (!blows || spec.turbulence == 0.0) return std::nullopt;
+  NoiseWindSettings settings;
+  settings.seed = static_cast<std::uint32_t>(seed ^ (seed >> 32));
+  for (WindLayer& layer : settings.layers) layer.strength *= static_cast<float>(spec.turbulence);
+  return NoiseWind(settings);
+}
+
+}  // namespace
+
 Wind wind_of(const Scene& scene) {
   Wind wind;
   if (!scene.wind) return wind;
-  const double a = (90.0 - scene.wind->heading_deg) * 0.017453292519943295;
-  wind.mean = MeanWind(scene.wind->speed_m_per_s * glm::dvec2(std::cos(a), std::sin(a)));
-  if (scene.wind->turbulence > 0.0) wind.noise.emplace(NoiseWindSettings{});
+  wind.mean = mean_wind_of(*scene.wind);
+  wind.noise = noise_of(*scene.wind, scene.seed);
   wind.primitives = scene.wind->primitives;
   return wind;
 }
+
 ChainTraits chain_traits_of(const SpeciesSpec& spec) {
-  const SpeciesParams& p = spec.species.params;
-  return {p.height_m / 8.0f, p.stiffness, static_cast<float>(spec.motion.damping_ratio),
-          chain_drag(p.width_m, p.height_m, p.mass_g, static_cast<float>(spec.motion.drag_coefficient))};
+  const SpeciesParams& params = spec.species.params;
+  ChainTraits traits;
+  traits.half_segment_m = params.height_m / 8.0f;
+  traits.stiffness = params.stiffness;
+  traits.damping_ratio = static_cast<float>(spec.motion.damping_ratio);
+  traits.drag = chain_drag(params.width_m, params.height_m, params.mass_g,
+                           static_cast<float>(spec.motion.drag_coefficient));
+  return traits;
 }
+
 }  // namespace prairie

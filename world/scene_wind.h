@@ -1,8 +1,17 @@
+// From what a scene says of its wind and its blades to what animation moves them by.
 #pragma once
-#include "animation/inertial_chains.h"
+
+#include "animation/chain_block.h"
 #include "animation/wind.h"
 #include "world/scene.h"
+
 namespace prairie {
+
+/// Mean wind, turbulence by the scene's seed, and primitives; calm air where the scene has no wind. Without a
+/// camera's wake. Throws BadInput that names the file of a measured series, the line and what was expected.
 Wind wind_of(const Scene& scene);
+
+/// Of a mean blade of the species.
 ChainTraits chain_traits_of(const SpeciesSpec& spec);
+
 }  // namespace prairie

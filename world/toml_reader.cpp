@@ -116,6 +116,14 @@ std::optional<double> TableReader::number(std::string_view key, Bounds bounds) {
   return checked_number(key, *value, bounds);
 }
 
+std::optional<double> TableReader::any_number(std::string_view key) {
+  const toml::node* value = node(key);
+  if (value == nullptr) return std::nullopt;
+  if (const auto* whole = value->as_integer()) return static_cast<double>(whole->get());
+  if (const auto* real = value->as_floating_point()) return real->get() + 0.0;  // no negative zero
+  refuse(key, "a number");
+}
+
 std::optional<std::int64_t> TableReader::integer(std::string_view key, std::int64_t min, std::int64_t max) {
   const toml::node* value = node(key);
   if (value == nullptr) return std::nullopt;
@@ -140,6 +148,17 @@ std::optional<std::string> TableReader::text(std::string_view key) {
   const auto* text = value->as_string();
   if (text == nullptr) refuse(key, "a text in quotes");
   return text->get();
+}
+
+std::optional<std::size_t> TableReader::choice(std::string_view key, const std::vector<std::string>& words) {
+  const auto word = text(key);
+  if (!word) return std::nullopt;
+  for (std::size_t n = 0; n < words.size(); ++n) {
+    if (words[n] == *word) return n;
+  }
+  const std::string expected = fmt::format("{}", fmt::join(words, " or "));
+  const auto meant = suggestion(*word, words);
+  refuse(key, meant ? fmt::format("{}; did you mean '{}'?", expected, *meant) : expected);
 }
 
 std::optional<std::array<double, 2>> TableReader::pair(std::string_view key, Bounds bounds) {
@@ -180,7 +199,7 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
   const toml::node* value = node(key);
   if (value == nullptr) return {};
   const auto* list = value->as_array();
-  const std::string expected = fmt::format("tables, each headed [[{}]]", key);
+  const std::string expected = fmt::format("tables, each headed [[{}]]", path_of(key));
   if (list == nullptr) refuse(key, expected);
   std::vector<TableReader> readers;
   for (const toml::node& element : *list) {

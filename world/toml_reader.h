@@ -36,9 +36,13 @@ class TableReader {
 
   // Each of these returns nothing where the key is absent, and makes the key a known one.
   std::optional<double> number(std::string_view key, Bounds bounds);
+  /// Whatever its value, also one that is not finite: for numbers that another check judges.
+  std::optional<double> any_number(std::string_view key);
   std::optional<std::int64_t> integer(std::string_view key, std::int64_t min, std::int64_t max);
   std::optional<bool> flag(std::string_view key);
   std::optional<std::string> text(std::string_view key);
+  /// One of the words, by its place among them.
+  std::optional<std::size_t> choice(std::string_view key, const std::vector<std::string>& words);
   std::optional<std::array<double, 2>> pair(std::string_view key, Bounds bounds);
   /// "#rrggbb" (sRGB) or [r, g, b] (linear); linear out.
   std::optional<glm::vec3> color(std::string_view key, Bounds bounds);

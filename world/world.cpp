@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "maps/error.h"
+#include "maps/input_file.h"
 #include "world/camera_placement.h"
 #include "world/scene_hash.h"
+#include "world/scene_wind.h"
 
 namespace prairie {
 namespace {
@@ -77,6 +79,10 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   MapLoader loader(options.memory_budget_bytes, count_maps(scene_));
   meadow_ = load_meadow(scene_, loader);
   MapFindings& findings = loader.findings();
+  if (scene_.wind && scene_.wind->file) {
+    findings.content_hashes[kWindFileField] = inspect_input(*scene_.wind->file, kWindFileField).hash;
+    wind_of(scene_);  // refuses a file that holds no wind
+  }
   scene_hash_ = prairie::scene_hash(scene_, findings.content_hashes);
   geo_reference_ = std::move(findings.geo_reference);
   maps_ = std::move(findings.maps);

@@ -57,5 +57,30 @@ TEST(Info, PrintsTextForPeople) {
   EXPECT_NE(out.str().find("tiles     10 × 5 of 4 m"), std::string::npos) << out.str();
 }
 
+TEST(Info, TellsWhatMoves) {
+  const World world(
+      parse_scene(
+          std::string(testing::kPlainScene) +
+              "[wind]\nspeed_m_per_s = 6.5\n[[wind.gust]]\n[[mover]]\nname = \"boulder\"\nloops = true\n"
+              "path_m = [[0, 0], [10, 0]]\n",
+          "folder", {}),
+      {});
+  std::stringstream text, json_text;
+  print_text(describe_scene(world), text);
+  EXPECT_NE(text.str().find("wind      6.5 m/s towards 90°, turbulence 1, 1 gusts"), std::string::npos)
+      << text.str();
+  EXPECT_NE(text.str().find("mover     boulder: stone, 1 m/s along 20.0 m, round and round"),
+            std::string::npos)
+      << text.str();
+  print_json(describe_scene(world), json_text);
+  const auto json = nlohmann::json::parse(json_text.str());
+  EXPECT_EQ(json["wind"]["speed_m_per_s"], 6.5);
+  EXPECT_EQ(json["movers"][0]["name"], "boulder");
+  EXPECT_NEAR(json["movers"][0]["length_m"].get<double>(), 20.0, 1e-3);
+  std::stringstream plain;
+  print_json(describe_scene(plain_world({})), plain);
+  EXPECT_TRUE(nlohmann::json::parse(plain.str())["wind"].is_null());
+}
+
 }  // namespace
 }  // namespace prairie

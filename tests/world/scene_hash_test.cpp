@@ -14,7 +14,9 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::string>& o
 TEST(SceneHash, ChangesWithEverySetting) {
   const std::string text =
       std::string(testing::kPlainScene) +
-      "[[camera]]\nname = \"a\"\nposition_m = [0, 0, 1]\n[maps]\nbend = { file = \"b\" }\n";
+      "[[camera]]\nname = \"a\"\nposition_m = [0, 0, 1]\n[maps]\nbend = { file = \"b\" }\n"
+      "[wind]\nspeed_m_per_s = 3\n[[wind.gust]]\n[[wind.tornado]]\n[[wind.breeze]]\n"
+      "[[mover]]\nname = \"m\"\npath_m = [[0, 0], [1, 1]]\n";
   const std::uint64_t hash = hash_of(text);
   EXPECT_EQ(hash, hash_of(text));
   EXPECT_EQ(hash, hash_of("# a comment\n" + text));
@@ -66,7 +68,54 @@ TEST(SceneHash, ChangesWithEverySetting) {
                              "sky.intensity=0.5",
                              "sky.haze_per_m=0.5",
                              "lod.quality=high",
-                             "lod.blade_distance_m=50"}) {
+                             "lod.blade_distance_m=50",
+                             "species.0.damping_ratio=0.3",
+                             "species.0.drag_coefficient=0.3",
+                             "wind.speed_m_per_s=4",
+                             "wind.heading_deg=4",
+                             "wind.turbulence=0.5",
+                             "wind.gust=[]",
+                             "wind.gust.0.position_m=[0, 1]",
+                             "wind.gust.0.heading_deg=1",
+                             "wind.gust.0.travel_m_per_s=1",
+                             "wind.gust.0.strength_m_per_s=1",
+                             "wind.gust.0.width_m=1",
+                             "wind.gust.0.depth_m=1",
+                             "wind.gust.0.way_m=1",
+                             "wind.gust.0.start_s=1",
+                             "wind.tornado.0.position_m=[0, 1]",
+                             "wind.tornado.0.heading_deg=1",
+                             "wind.tornado.0.travel_m_per_s=1",
+                             "wind.tornado.0.strength_m_per_s=1",
+                             "wind.tornado.0.radius_m=1",
+                             "wind.tornado.0.reach_m=9",
+                             "wind.tornado.0.inflow=1",
+                             "wind.tornado.0.wander_m=1",
+                             "wind.tornado.0.wander_s=1",
+                             "wind.tornado.0.start_s=1",
+                             "wind.tornado.0.duration_s=1",
+                             "wind.tornado.0.seed=2",
+                             "wind.breeze.0.position_m=[0, 1]",
+                             "wind.breeze.0.heading_deg=1",
+                             "wind.breeze.0.strength_m_per_s=1",
+                             "wind.breeze.0.period_s=1",
+                             "wind.breeze.0.wavelength_m=1",
+                             "wind.breeze.0.radius_m=1",
+                             "treading.spacing_m=0.2",
+                             "treading.recovery_s=1",
+                             "treading.most_tilt_deg=50",
+                             "treading.wear_passes=1",
+                             "treading.worn_field=1",
+                             "treading.load_slowing=2",
+                             "treading.worn_slowing=1",
+                             "treading.field_scale=1",
+                             "mover.m.name=n",
+                             "mover.m.kind=cart",
+                             "mover.m.radius_m=1",
+                             "mover.m.speed_m_per_s=2",
+                             "mover.m.start_s=1",
+                             "mover.m.loops=true",
+                             "mover.m.path_m=[[0, 0], [1, 2]]"}) {
     EXPECT_NE(hash, hash_of(text, {change})) << change;
   }
 }
