@@ -10,8 +10,8 @@
 
 namespace prairie {
 
-/// XXH3 of the scene's settings and of `content_hashes` (of the files' bytes: maps by MapSpec::field, the measured
-/// wind by kWindFileField).
+/// XXH3 of the scene's settings and of `content_hashes` (of the files' bytes: maps by MapSpec::field, the
+/// measured wind by kWindFileField).
 std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes);
 
 }  // namespace prairie

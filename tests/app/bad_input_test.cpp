@@ -47,6 +47,21 @@ std::function<void(const fs::path&)> toml(const std::string& from, const std::st
   return [=](const fs::path& scene) { change_toml(scene, from, to); };
 }
 
+/// Adds to the small scene's text.
+std::function<void(const fs::path&)> more(const std::string& sections) {
+  return [=](const fs::path& scene) {
+    testing::write_text(scene / "scene.toml", testing::small_scene_toml() + sections);
+  };
+}
+
+/// A wind that is replayed from these rows.
+std::function<void(const fs::path&)> measured(const std::string& rows) {
+  return [=](const fs::path& scene) {
+    testing::write_text(scene / "wind.csv", "time_s,speed_m_per_s,heading_rad\n" + rows);
+    more("[wind]\nfile = \"wind.csv\"\n")(scene);
+  };
+}
+
 const std::string kMax = "max_per_m2 = 100 ";
 const std::string kDensityMap = "density = { file = \"density.png\", spacing_m = 1.0, max_per_m2 = 100 }";
 
@@ -101,6 +116,28 @@ const std::vector<Breakage> kBreakages{
     {"UnknownTable", toml("[height]", "[goats]\nnumber = 3\n[height]"), {"scene.toml", "goats"}},
     {"WrongType", toml("tile_m = 4.0", "tile_m = \"four\""), {"scene.toml", "tile_m", "four"}},
     {"NewerVersion", toml("version = 1", "version = 2"), {"scene.toml", "version"}},
+    {"NanWind", more("[wind]\nspeed_m_per_s = nan\n"), {"scene.toml", "wind.speed_m_per_s", "nan"}},
+    {"UnknownPrimitive", more("[[wind.whirl]]\n"), {"scene.toml", "wind.whirl", "gust, tornado, breeze"}},
+    {"MistypedPrimitive", more("[[wind.tornadoe]]\n"), {"scene.toml", "'tornado'"}},
+    {"NegativeRadiusOfATornado",
+     more("[[wind.tornado]]\nradius_m = -2\n"),
+     {"scene.toml", "wind.tornado.0.radius_m", "-2"}},
+    {"TornadoWithoutReach",
+     more("[[wind.tornado]]\nradius_m = 5\nreach_m = 4\n"),
+     {"scene.toml", "wind.tornado.0.reach_m", "5 to"}},
+    {"NanTreading", more("[treading]\nrecovery_s = nan\n"), {"scene.toml", "treading.recovery_s", "nan"}},
+    {"MoverWithoutAPath",
+     more("[[mover]]\nname = \"stone\"\npath_m = [[1, 1]]\n"),
+     {"scene.toml", "mover.0.path_m", "2 to 1000 points"}},
+    {"MoverThatStaysWhereItIs",
+     more("[[mover]]\nname = \"stone\"\npath_m = [[1, 1], [1, 1]]\n"),
+     {"scene.toml", "mover.0.path_m"}},
+    {"MissingWindFile", more("[wind]\nfile = \"none.csv\"\n"), {"none.csv", "wind.file"}},
+    {"WindFileIsAnImage", more("[wind]\nfile = \"density.png\"\n"), {"density.png", "time_s"}},
+    {"WindFileWithAGap", measured("0,5,0\n1,,0\n2,5,0\n"), {"wind.csv", "line 3", "speed_m_per_s"}},
+    {"WindFileWithAnEmptyLine", measured("0,5,0\n\n2,5,0\n"), {"wind.csv", "line 3"}},
+    {"WindFileWithText", measured("0,5,0\n1,calm,0\n"), {"wind.csv", "line 3", "calm"}},
+    {"WindFileWithTimeBackwards", measured("1,5,0\n0,5,0\n"), {"wind.csv", "line 3", "time_s"}},
     {"NoToml", toml("version = 1", "version = ]"), {"scene.toml"}},
 };
 

@@ -45,6 +45,50 @@ haze_per_m = 0.01
 quality = "high"
 )"sv;
 
+constexpr std::string_view kMoving = R"(version = 1
+[ground]
+size_m = [40, 20]
+[[species]]
+name = "oat"
+damping_ratio = 0.3
+drag_coefficient = 0.5
+[wind]
+speed_m_per_s = 6
+heading_deg = 45
+turbulence = 1.5
+[[wind.gust]]
+position_m = [-20, 5]
+heading_deg = 90
+strength_m_per_s = 9
+[[wind.tornado]]
+position_m = [5, 5]
+radius_m = 2
+reach_m = 12.5
+seed = 7
+[[wind.breeze]]
+period_s = 3
+radius_m = 20
+[treading]
+spacing_m = 0.1
+recovery_s = 90
+most_tilt_deg = 80
+wear_passes = 20
+[[mover]]
+name = "boulder"
+path_m = [[1, 1], [20, 3.5], [30, 18]]
+loops = true
+[[mover]]
+name = "cart"
+kind = "cart"
+speed_m_per_s = 2
+path_m = [[0, 0], [0, 9]]
+)"sv;
+
+constexpr std::string_view kReplayed =
+    "version = 1\n[ground]\nsize_m = [4, 4]\n[[species]]\nname = \"a\"\n[wind]\nfile = \"w.csv\"\nplace_m = "
+    "[1, "
+    "2]\n\0wind.turbulence=1\ntreading.recovery_s=9\nwind.breeze=[{ period_s = 2 }]\n"sv;
+
 }  // namespace
 
 int replay_count() {
@@ -53,7 +97,7 @@ int replay_count() {
 
 std::vector<Input> make_corpus() {
   std::vector<Input> corpus;
-  for (const std::string_view text : {kPlain, kOverridden, kEveryTable})
+  for (const std::string_view text : {kPlain, kOverridden, kEveryTable, kMoving, kReplayed})
     corpus.emplace_back(text.begin(), text.end());
   return corpus;
 }

@@ -1,11 +1,13 @@
 // Fuzzes the reader of scene files: the bytes before the first NUL are scene.toml, those after it are
 // overrides, one a line. Whatever they are, they give a scene within its limits or BadInput in one line.
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "animation/treading.h"
 #include "world/scene.h"
 #include "world/scene_hash.h"
 
@@ -25,6 +27,24 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
+/// What the reader accepts, those take who work with it.
+void require_usable(const prairie::Scene& scene) {
+  constexpr double kLateS = 1e6;
+  require(scene.movers.size() <= prairie::kMaxMovers);
+  require(!scene.wind || scene.wind->primitives.size() <= prairie::kMaxWindPrimitives);
+  try {
+    const prairie::Treading treading(scene.treading);
+    for (const prairie::MoverSpec& spec : scene.movers) {
+      const prairie::MoverPlace place = prairie::Mover(spec.path).place(prairie::HeightField(), kLateS);
+      require(std::isfinite(place.centre_m.x) && std::isfinite(place.axes[0].x));
+    }
+    if (!scene.wind) return;
+    for (const prairie::WindPrimitive& primitive : scene.wind->primitives) prairie::check(primitive, "");
+  } catch (const prairie::BadInput&) {
+    require(false);
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -40,6 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(!spec.density || (spec.density->max >= 0.0 && spec.density->max <= prairie::kMaxDensityPerM2));
       require(spec.species.params.height_m > 0.0f && spec.species.params.clump_m > 0.0f);
     }
+    require_usable(scene);
     prairie::scene_hash(scene, {});
   } catch (const prairie::BadInput& fault) {
     require(std::string_view(fault.what()).find('\n') == std::string_view::npos);
