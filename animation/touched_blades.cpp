@@ -16,6 +16,10 @@ namespace {
 
 // A tip goes back to the virtual blade by no more than this share of its length in a sixtieth of a second.
 constexpr float kFadePerS = 0.5f;
+// Nearer to a solid a root is under it, as for bend_out.
+constexpr double kUnderM = 2e-3;
+
+constexpr std::int32_t kFaded = 2;
 
 struct Disc {
   glm::dvec2 centre_m;
@@ -67,7 +71,7 @@ glm::dvec3 tile_base(const Meadow& meadow, TileId tile) {
 }  // namespace
 
 bool TouchedBlade::operator==(const TouchedBlade& other) const {
-  static_assert(sizeof(TouchedBlade) == 4 * (1 + 24 + 12 + 12 + 2));
+  static_assert(sizeof(TouchedBlade) == 4 * (1 + 24 + 12 + 12 + 1 + 2));
   return std::memcmp(this, &other, sizeof(*this)) == 0;
 }
 
@@ -154,6 +158,16 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
   }
 }
 
+namespace {
+
+bool lies_under(std::span<const Solid> solids, glm::vec3 root_m) {
+  return std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) {
+    return separation(solid, glm::dvec3(root_m)).distance_m < kUnderM;
+  });
+}
+
+}  // namespace
+
 void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m) {
   const double cell_m = around.meadow.tile_m / kCellsPerSide;
   const TileRange field = tiles_of(around.meadow);
@@ -203,10 +217,12 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
           bent.index = index;
           bent.rest = now.rest;
           bent.motion.turn = now.virtual_turn;
+          bent.rise = now.least_rise;
         }
+        if (lies_under(local, now.curve.base_m)) bent.rise = std::min(bent.rise, 0.0f);
         bool is_touched = false;
         for (const Solid& solid : local)
-          is_touched |= bend_out(solid, now.blade, now.curve, 1.0f, now.normal, bent.motion, now.least_rise);
+          is_touched |= bend_out(solid, now.blade, now.curve, 1.0f, now.normal, bent.motion, bent.rise);
         if (!is_touched) continue;
         bent.near_steps = 0;
         bent.fades = 0;
@@ -229,10 +245,15 @@ void TouchedBlades::hand_over(const Surroundings& around, float dt_s) {
   for (auto& [id, patch] : patches_) {
     for (TouchedBlade& blade : patch.touched) {
       const Standing now = standing(around, id, patch, blade.index);
+      const float most = kFadePerS * dt_s;
+      blade.rise += std::clamp(now.least_rise - blade.rise, -most, most);
       if (blade.fades != 0) {
-        blade.offset = faded(blade.offset, kFadePerS * dt_s);
+        blade.offset = faded(blade.offset, most);
         blade.motion.turn = Kernels{}.within_half_turns(plus(now.virtual_turn, blade.offset));
         blade.motion.rate = ChainVectors{};
+        const ChainVectors& o = blade.offset;
+        const glm::vec3 left = glm::abs(o.v1) + glm::abs(o.v2) + glm::abs(o.v3) + glm::abs(o.v4);
+        if (left == glm::vec3(0.0f) && blade.rise == now.least_rise) blade.fades = kFaded;
         continue;
       }
       SpentMotion spent{blade.near_steps};
@@ -242,11 +263,7 @@ void TouchedBlades::hand_over(const Surroundings& around, float dt_s) {
       blade.fades = 1;
       blade.offset = plus(blade.motion.turn, now.virtual_turn, -1.0f);
     }
-    std::erase_if(patch.touched, [](const TouchedBlade& blade) {
-      const ChainVectors& o = blade.offset;
-      return blade.fades != 0 && o.v1 == glm::vec3(0.0f) && o.v2 == glm::vec3(0.0f) && o.v3 == glm::vec3(0.0f) &&
-             o.v4 == glm::vec3(0.0f);
-    });
+    std::erase_if(patch.touched, [](const TouchedBlade& blade) { return blade.fades == kFaded; });
   }
   std::erase_if(patches_, [](const auto& entry) { return entry.second.touched.empty(); });
 }
@@ -261,7 +278,7 @@ void TouchedBlades::pose(const Surroundings& around) {
     for (const TouchedBlade& blade : patch.touched) {
       const Standing now = standing(around, id, patch, blade.index);
       chains_.push_back(Kernels{}.turned_chain_over(now.blade, now.curve, 1.0f, blade.motion.turn, now.normal,
-                                                    now.least_rise));
+                                                    blade.rise));
       const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), blade.index);
       const auto group = static_cast<std::size_t>(after - patch.first_blade.begin()) - 1;
       groups[group].slots[blade.index - patch.first_blade[group]] = static_cast<std::uint32_t>(chains_.size());

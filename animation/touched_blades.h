@@ -35,8 +35,9 @@ struct TouchedBlade {
   ChainMotion motion;       // from its shape at rest, which treads change
   ChainVectors rest;        // directions of that
   ChainVectors offset;      // while it fades: from the virtual blade
+  float rise = -1.0f;       // at which its segments rise at least: none has anything to lie on under an object
   std::int32_t near_steps = 0;
-  std::int32_t fades = 0;  // 1 while it goes back to the virtual model
+  std::int32_t fades = 0;  // 1 while it goes back to the virtual model, 2 once it is there
 
   bool operator==(const TouchedBlade&) const;
 };

@@ -81,7 +81,6 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   MapFindings& findings = loader.findings();
   if (scene_.wind && scene_.wind->file) {
     findings.content_hashes[kWindFileField] = inspect_input(*scene_.wind->file, kWindFileField).hash;
-    wind_of(scene_);  // refuses a file that holds no wind
   }
   scene_hash_ = prairie::scene_hash(scene_, findings.content_hashes);
   geo_reference_ = std::move(findings.geo_reference);

@@ -19,10 +19,10 @@ Pressing no_pressing() {
 // 0: as it grew; 1 would be flat on the ground.
 float lying_share(Pressing pressing) { return min(pressing.tilt_rad * 0.63661975f, 1.0f); }
 
-// How steeply downhill segments may point, by the sine: lying blades do not sag into the ground.
+// How steeply downhill segments may point, by the sine: lying blades do not sag into the ground, but lie on one another.
 float lowest_rise(float lying) {
   precise float l2 = lying * lying;
-  precise float result = min(lying - 1.0f + 0.1f * l2 * l2, 0.0f);
+  precise float result = min(lying - 1.0f + 0.26f * l2 * l2, 0.08f);
   return result;
 }
 
