@@ -28,6 +28,7 @@ std::vector<Measurement> bench_wind_nodes(const BenchOptions& options);
 /// how long its frames take, what stands in which tier;
 std::vector<Measurement> bench_scale_walk(const BenchOptions& options);
 /// what denser and larger fields cost;
+std::vector<Measurement> bench_table1(const BenchOptions& options);
 std::vector<Measurement> bench_scale_variants(const BenchOptions& options);
 /// how long it takes to start and what memory it needs, in processes of their own;
 std::vector<Measurement> bench_scale_processes(const BenchOptions& options);

@@ -18,7 +18,6 @@ constexpr glm::dvec2 kStartM{750.0, 560.0};
 constexpr double kYawDeg = 330.0;
 constexpr double kPitchDeg = -2.0;
 constexpr double kWalkMPerS = 1.4;
-constexpr double kFramesPerS = 30.0;
 
 // The grasses of `prairie new`'s meadow.
 constexpr const char* kSceneText = R"(version = 1
@@ -67,12 +66,21 @@ quality = "medium"
 blade_distance_m = 128.0
 )";
 
+constexpr const char* kWindText = R"([wind]
+speed_m_per_s = 6.0
+heading_deg = 70
+[[wind.gust]]
+position_m = [700, 580]
+heading_deg = 70
+)";
+
 }  // namespace
 
 World scale_world(const ScaleGround& ground, const ScaleVariant& variant) {
-  const std::string text =
+  std::string text =
       fmt::format(fmt::runtime(kSceneText), ground.file.filename().string(), variant.repeats,
                   kFescuePerM2 * variant.density_factor, kOatgrassPerM2 * variant.density_factor);
+  if (variant.windy) text += kWindText;
   return World(parse_scene(text, ground.file.parent_path(), {}), {});
 }
 
@@ -88,7 +96,7 @@ Camera walk_camera(const World& world, int frame) {
   Camera camera;
   camera.yaw_rad = glm::radians(kYawDeg);
   const glm::dvec2 ahead(camera.forward());
-  const glm::dvec2 place_m = kStartM + ahead * (kWalkMPerS / kFramesPerS * frame);
+  const glm::dvec2 place_m = kStartM + ahead * (kWalkMPerS * kWalkFrameS * frame);
   camera.eye_m =
       glm::dvec3(place_m, static_cast<double>(world.meadow().ground.height_m(place_m)) + kEyeHeightM);
   camera.pitch_rad = glm::radians(kPitchDeg);

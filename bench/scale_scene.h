@@ -11,6 +11,7 @@ namespace prairie {
 struct ScaleVariant {
   double density_factor = 1.0;  // of both grasses
   bool repeats = false;         // the ground goes on without end
+  bool windy = false;           // a fresh breeze with its turbulence, and a gust on its way
 };
 
 /// Throws what World throws.
@@ -20,6 +21,7 @@ World scale_world(const ScaleGround& ground, const ScaleVariant& variant);
 double expected_blades(const World& world);
 
 inline constexpr int kWalkFrames = 100;
+inline constexpr double kWalkFrameS = 1.0 / 30.0;
 
 /// What the walker sees in the n-th frame; n may be negative.
 Camera walk_camera(const World& world, int frame);

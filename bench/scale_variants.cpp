@@ -1,5 +1,5 @@
 // What other fields cost on the same walk, frame by frame in turn: sparser, denser, and a hundred times as
-// large.
+// large; and with the wind on.
 #include <vector>
 
 #include "bench/benches.h"
@@ -24,14 +24,16 @@ std::vector<Measurement> bench_scale_variants(const BenchOptions& options) {
   Walker sparse(ground, {.density_factor = 0.1}, options);
   Walker dense(ground, {.density_factor = 10.0}, options);
   Walker repeated(ground, {.repeats = true}, options);
+  Walker windy(ground, {.windy = true}, options);
   for (int frame = -kWarmUpFrames; frame < kVariantFrames; ++frame) {
-    for (Walker* walker : {&plain, &sparse, &dense, &repeated}) walker->step(frame, target);
+    for (Walker* walker : {&plain, &sparse, &dense, &repeated, &windy}) walker->step(frame, target);
   }
   const double sparse_ms = median(sparse.frame_ms());
   const double dense_ms = median(dense.frame_ms());
   return {{"scale.density_100_ms", sparse_ms},
           {"scale.density_10000_ms", dense_ms},
           {"scale.density_ratio", dense_ms / sparse_ms},
+          {"scale.wind_ratio", median(windy.frame_ms()) / median(plain.frame_ms())},
           {"scale.repeat10_ratio", median(repeated.frame_ms()) / median(plain.frame_ms())}};
 }
 

@@ -11,6 +11,10 @@ Walker::Walker(const ScaleGround& ground, const ScaleVariant& variant, const Ben
 void Walker::step(int frame, const OffscreenTarget& target) {
   const Camera seen = camera(frame);
   const auto start = std::chrono::steady_clock::now();
+  if (world_.scene().wind) {
+    world_.motion().watch(glm::dvec2(seen.eye_m));
+    world_.step(kWalkFrameS);
+  }
   statistics_ = renderer_.draw(seen, {}, target.framebuffer());
   glFinish();
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
