@@ -36,7 +36,7 @@ class Descriptor {
 
 InputFile inspect_input(const std::filesystem::path& path, const std::string& field) {
   const auto fail = [&](const char* found) {
-    throw BadInput(path.string(), field, found, "an image file that can be read");
+    throw BadInput(path.string(), field, found, "a file that can be read");
   };
   const Descriptor file(path.c_str());
   if (file.get() < 0) fail(std::strerror(errno));
