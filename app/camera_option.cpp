@@ -14,8 +14,6 @@ namespace prairie {
 namespace {
 
 constexpr const char* kOption = "--camera";
-constexpr double kFarthestM =
-    1e7;  // beyond it, positions in double have no millimetres to spare for the maths
 
 CameraSpec typed_camera(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
@@ -26,8 +24,8 @@ CameraSpec typed_camera(const std::string& text) {
     return number_option(std::string(kOption) + " " + name, parts[k], least, most);
   };
   CameraSpec spec;
-  spec.position_m = {part(0, "x", -kFarthestM, kFarthestM), part(1, "y", -kFarthestM, kFarthestM)};
-  spec.z_m = part(2, "z", -kFarthestM, kFarthestM);
+  spec.position_m = {part(0, "x", -kFarthestCameraM, kFarthestCameraM), part(1, "y", -kFarthestCameraM, kFarthestCameraM)};
+  spec.z_m = part(2, "z", -kFarthestCameraM, kFarthestCameraM);
   spec.z_above_ground = parts[2].starts_with('+');
   spec.yaw_deg = part(3, "yaw", -3600.0, 3600.0);
   spec.pitch_deg = part(4, "pitch", -90.0, 90.0);

@@ -11,6 +11,8 @@ namespace prairie {
 
 /// The camera that is used where none is asked for.
 inline constexpr const char* kDefaultCamera = "default";
+/// Beyond it, positions in double have no millimetres to spare for the maths.
+inline constexpr double kFarthestCameraM = 1e7;
 inline constexpr double kMinFieldOfViewDeg = 1.0;
 inline constexpr double kMaxFieldOfViewDeg = 170.0;
 

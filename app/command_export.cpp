@@ -14,6 +14,7 @@
 #include "app/option_values.h"
 #include "app/outputs.h"
 #include "app/picture_file.h"
+#include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/sha256.h"
 #include "app/tile_views.h"
@@ -162,19 +163,8 @@ void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& ch
           "--tiers", [options](const std::string& text) { options->tiers = tiers_option(text); },
           "Some of auto, spline, hermite, strip, flat (auto)")
       ->type_name("TIER,…");
-  command
-      ->add_option_function<std::string>(
-          "--size", [options](const std::string& text) { options->size_px = size_option("--size", text); },
-          "Pixels (512x512)")
-      ->type_name("WxH");
-  command
-      ->add_option_function<std::string>(
-          "--samples",
-          [options](const std::string& text) {
-            options->samples = int_option("--samples", text, 1, kMaxSamples);
-          },
-          "Frames averaged per picture, for smooth edges (1)")
-      ->type_name("N");
+  add_size_option(*command, options->size_px);
+  add_samples_option(*command, options->samples);
   command->footer(
       "Examples:\n"
       "  prairie export examples/meadow -o tiles\n"

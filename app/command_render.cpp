@@ -12,6 +12,7 @@
 #include "app/option_values.h"
 #include "app/outputs.h"
 #include "app/picture_file.h"
+#include "app/picture_options.h"
 #include "app/world_time.h"
 #include "render/context.h"
 #include "render/renderer.h"
@@ -70,29 +71,14 @@ void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& ch
           "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees; z as +1.7 is above the "
           "ground, yaw 0 looks north and turns clockwise, fov is vertical (default)")
       ->type_name("NAME|NUMBERS");
-  command
-      ->add_option_function<std::string>(
-          "--size", [options](const std::string& text) { options->size_px = size_option("--size", text); },
-          "Pixels (1280x720)")
-      ->type_name("WxH");
-  command
-      ->add_option_function<std::string>(
-          "--tier", [options](const std::string& text) { options->tier = tier_option("--tier", text); },
-          "How grass is drawn: auto, spline, hermite, strip or flat (auto)")
-      ->type_name("TIER");
+  add_size_option(*command, options->size_px);
+  add_tier_option(*command, options->tier);
   command
       ->add_option_function<std::string>(
           "--lod-eye", [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
           "Tiers are chosen for an eye there, in metres (the camera's)")
       ->type_name("X,Y,Z");
-  command
-      ->add_option_function<std::string>(
-          "--samples",
-          [options](const std::string& text) {
-            options->samples = int_option("--samples", text, 1, kMaxSamples);
-          },
-          "Frames averaged per picture, for smooth edges (1)")
-      ->type_name("N");
+  add_samples_option(*command, options->samples);
   command
       ->add_option_function<std::string>(
           "--time",

@@ -15,6 +15,7 @@ using Command = std::function<int()>;
 void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_info_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
+void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_plant_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);

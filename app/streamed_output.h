@@ -20,6 +20,8 @@ class StreamedOutput {
   StreamedOutput& operator=(const StreamedOutput&) = delete;
 
   void write(std::string_view bytes);
+  /// Where the bytes are until `finish`; for another program that writes them in its place. Not of stdout.
+  const std::filesystem::path& temporary_path() const { return temporary_->path(); }
   /// The last call: puts the output in place.
   void finish();
 

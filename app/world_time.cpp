@@ -4,13 +4,15 @@
 
 namespace prairie {
 
-void advance_to(World& world, double to_s) {
-  constexpr std::int64_t kStep = kTicksPerS / static_cast<std::int64_t>(kStepsPerS);
-  const std::int64_t to = std::llround(to_s * static_cast<double>(kTicksPerS));
-  while (world.motion().ticks() < to) {
-    const std::int64_t ticks = std::min(kStep, to - world.motion().ticks());
-    world.step(static_cast<double>(ticks) / static_cast<double>(kTicksPerS));
-  }
+int steps_in(double interval_s) {
+  constexpr double kRounding = 1e-6;  // a sixtieth of a second plus a rounding error is one step
+  return interval_s > 0.0 ? static_cast<int>(std::ceil(interval_s / kLongestStepS - kRounding)) : 0;
+}
+
+void advance_to(World& world, double time_s) {
+  // The world rounds its steps, so that each is a share of what is left.
+  for (int left = steps_in(time_s - world.time_s()); left > 0; --left)
+    world.step((time_s - world.time_s()) / left);
 }
 
 glm::dvec2 watched_place_m(const Camera& camera, const HeightField& ground) {

@@ -1,4 +1,4 @@
-// Bringing a world to the time of a picture.
+// Bringing a world to the time of a picture, and to where it is seen from.
 #pragma once
 
 #include "lod/camera.h"
@@ -6,11 +6,15 @@
 
 namespace prairie {
 
-inline constexpr double kStepsPerS = 60.0;
+/// The longest step that commands take by themselves.
+inline constexpr double kLongestStepS = 1.0 / 60.0;
 inline constexpr double kMaxTimeS = 86'400.0;
 
-/// Steps the world to that time, not before its own, in steps of at most 1/kStepsPerS.
-void advance_to(World& world, double to_s);
+/// How many even steps of at most kLongestStepS an interval takes.
+int steps_in(double interval_s);
+
+/// Steps the world to this time in even steps that end there; not at all where that has passed.
+void advance_to(World& world, double time_s);
 
 /// The place on the ground around which a camera sees moving grass: below its eye, or for one that looks down from afar in
 /// parallel projection, the middle of what it sees.

@@ -7,6 +7,7 @@
 
 #include "render/shader_program.h"
 #include "render/solid_mesh.h"
+#include "render/stone_map.h"
 #include "shaders/shared/layouts.h"
 
 namespace prairie {
@@ -14,6 +15,9 @@ namespace {
 
 constexpr int kSphereSubdivisions = 4;  // 5120 triangles: a third of a pixel off where the sphere is 500 pixels wide
 constexpr float kRoundestEdgeM = 0.02f;
+constexpr glm::vec3 kStoneAlbedo(0.30f, 0.29f, 0.27f);
+// By shape.
+constexpr std::array<const char*, 3> kShapeDefines{"STONE", "BOARDS", "WHEEL"};
 
 // The lowest point, as seen from the centre.
 float lowest_m(const DrawnSolid& solid) {
@@ -57,8 +61,7 @@ SolidParams params_of(const DrawnSolid& solid, glm::dvec3 eye_m) {
 
 struct SolidPass::Device {
   explicit Device(const std::filesystem::path& shader_folder)
-      : program(make_program(shader_folder, {"pass/solid.vert", "pass/solid.frag"})),
-        vertex_array(make_vertex_array()) {
+      : folder(shader_folder), vertex_array(make_vertex_array()) {
     std::vector<SolidVertex> all_vertices;
     std::vector<std::uint16_t> all_indices;
     const std::array<SolidMesh, kShapes> meshes{sphere_mesh(kSphereSubdivisions), box_mesh(), wheel_mesh()};
@@ -87,7 +90,18 @@ struct SolidPass::Device {
     GLsizei indices = 0;
     GLint base_vertex = 0;
   };
-  GlProgram program;
+
+  GLuint program(std::size_t shape) {
+    if (programs[shape].get() == 0) {
+      programs[shape] = make_program(folder, {"pass/solid.vert", "pass/solid.frag"}, {kShapeDefines[shape]});
+      if (shape == layouts::kSolidSphere) stone = paint_stone_map(folder, kStoneAlbedo);
+    }
+    return programs[shape].get();
+  }
+
+  std::filesystem::path folder;
+  std::array<GlProgram, kShapes> programs;
+  StoneMap stone;
   GlVertexArray vertex_array;
   GlBuffer vertices;
   GlBuffer indices;
@@ -110,6 +124,9 @@ void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids
       ++counts_[shape];
     }
   }
+  for (std::size_t shape = 0; shape < kShapes; ++shape) {
+    if (counts_[shape] > 0) device_->program(shape);  // painting the stones' maps must not come between draws
+  }
   table_ = stream.write(table.data(), table.size() * sizeof(SolidParams));
 }
 
@@ -120,9 +137,12 @@ void SolidPass::draw() {
     const std::uint32_t count = counts_[shape];
     if (count == 0) continue;
     const Device::Part& part = device_->parts[shape];
-    glUseProgram(device_->program.get());
-    glProgramUniform1ui(device_->program.get(), 0, first);
+    const GLuint program = device_->program(shape);
+    glUseProgram(program);
+    glProgramUniform1ui(program, 0, first);
     glBindVertexArray(device_->vertex_array.get());
+    glBindTextureUnit(1, device_->stone.albedo.get());
+    glBindTextureUnit(2, device_->stone.surface.get());
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 5, table_.buffer, table_.offset, table_.bytes);
     glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_SHORT,
                                       reinterpret_cast<const void*>(part.first_index_byte),

@@ -1,4 +1,5 @@
 // Wood and iron of a cart: boards with their own tones, spoked wheels with tyres.
+#include "shaders/pass/noise_3d.glsl"
 
 // Wood that grows along x of `place_m`, of one piece by its number.
 vec3 wood_albedo(vec3 albedo, vec3 place_m, uint piece, float pixel_m) {

@@ -20,6 +20,9 @@ vec3 noise_3d(vec3 p, uint seed) {
   return mix(plane[0], plane[1], t.z);
 }
 
+// How much of a pattern of this size is left to see where a pixel has that width.
+float seen_share(float pattern_m, float pixel_m) { return clamp(1.6 - 2.0 * pixel_m / pattern_m, 0.0, 1.0); }
+
 // xyz: slope, w: value. Fifth-order blending, so that the slope has no creases along the lattice.
 vec4 noise_and_slope(vec3 p, uint seed) {
   ivec3 node = ivec3(floor(p));

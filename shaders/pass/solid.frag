@@ -1,12 +1,15 @@
 #version 450 core
-// The surface of something solid: stone, boards or a wheel, in the light of sun, sky and the sward around. Alpha is the
-// cover, and no grass grows on it.
+// The surface of something solid, in the light of sun, sky and the sward around: of STONE, BOARDS or a WHEEL, each a program
+// of its own, for a software renderer walks through all branches. Alpha is the cover, and no grass grows on it.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/solid_table.glsl"
-#include "shaders/pass/stone.glsl"
+#ifdef STONE
+#include "shaders/pass/stone_look.glsl"
+#else
 #include "shaders/pass/carpentry.glsl"
+#endif
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 in_body_m;
@@ -25,16 +28,21 @@ void main() {
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * length(from_eye_m);
   vec3 normal = normalize(body_normal);
   vec3 albedo = solid.albedo;
-  if (solid.shape == kSolidBox) albedo = board_albedo(solid, in_body_m, normal, pixel_m);
-  if (solid.shape == kSolidWheel) {
-    albedo = wheel_albedo(solid, in_body_m, normal, pixel_m);
-    if (albedo.r < 0.0) discard;
-  }
-  if (solid.shape == kSolidSphere && solid.outline_roughness > 0.0) {
+#ifdef BOARDS
+  albedo = board_albedo(solid, in_body_m, normal, pixel_m);
+#endif
+#ifdef WHEEL
+  albedo = wheel_albedo(solid, in_body_m, normal, pixel_m);
+  if (albedo.r < 0.0) discard;
+#endif
+#ifdef STONE
+  if (solid.outline_roughness > 0.0) {
     vec3 direction = normalize(in_body_m);
-    albedo = stone_albedo(direction, solid, pixel_m);
-    normal = stone_normal(direction, solid, pixel_m);
+    vec3 on_map = turned_by_seed(direction, solid.seed);
+    albedo = 0.5 * texture(stone_albedo_map, on_map).rgb;
+    normal = normalize(turned_back(texture(stone_surface_map, on_map).xyz - 0.5, solid.seed));
   }
+#endif
   normal = scene_from_body(solid) * normal;
 
   float above_m = max(from_eye_m.z - solid.ground_from_eye_m, 0.0);

@@ -1,0 +1,212 @@
+// `prairie record`: a clip without a window, as a video or as single pictures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "app/camera_option.h"
+#include "app/camera_path.h"
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/installed_files.h"
+#include "app/messages.h"
+#include "app/open_world.h"
+#include "app/option_values.h"
+#include "app/outputs.h"
+#include "app/picture_file.h"
+#include "app/picture_options.h"
+#include "app/progress.h"
+#include "app/usage_error.h"
+#include "app/video_file.h"
+#include "app/world_time.h"
+#include "render/context.h"
+#include "render/renderer.h"
+
+namespace prairie {
+namespace {
+
+constexpr int kMostFramesPerS = 240;
+constexpr int kMostFrames = 100'000;  // as many as five digits count
+constexpr double kLongestS = 86400.0;
+constexpr double kDefaultDurationS = 10.0;
+
+struct RecordOptions {
+  std::filesystem::path folder;
+  std::filesystem::path output;
+  std::string camera = kDefaultCamera;
+  std::filesystem::path path;  // of the file of a camera's path; none: the camera stands
+  std::optional<double> duration_s;
+  double start_s = 0.0;
+  int frames_per_s = 30;
+  glm::ivec2 size_px{1280, 720};
+  Tier tier = Tier::kAuto;
+  int samples = 1;
+};
+
+bool has_suffix(const std::filesystem::path& path, std::string_view suffix) {
+  std::string own = path.extension().string();
+  std::ranges::transform(own, own.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  return own == suffix;
+}
+
+/// Whether the output is a video; if not, it is a folder.
+bool is_video(const RecordOptions& options) {
+  if (std::filesystem::is_directory(options.output)) return false;
+  if (has_suffix(options.output, ".mp4")) {
+    if (options.size_px.x % 2 == 0 && options.size_px.y % 2 == 0) return true;
+    throw UsageError("--size", fmt::format("{}x{}", options.size_px.x, options.size_px.y),
+                     "an even width and an even height, which H.264 video needs, or a folder as the output");
+  }
+  for (const char* other : {".mov", ".mkv", ".avi", ".webm", ".m4v", ".gif", ".png", ".jpg", ".exr"}) {
+    if (has_suffix(options.output, other))
+      throw UsageError("--output", options.output.string(), "a file name that ends in .mp4, or a folder");
+  }
+  return false;
+}
+
+int frames_of(const RecordOptions& options, const std::optional<CameraPath>& path) {
+  const double duration_s =
+      options.duration_s.value_or(path ? path->times_s.back() : kDefaultDurationS);
+  const double frames = std::max(std::round(duration_s * options.frames_per_s), 1.0);
+  if (frames <= kMostFrames) return static_cast<int>(frames);
+  throw UsageError("--duration", fmt::format("{} frames", frames), fmt::format("at most {}", kMostFrames));
+}
+
+std::filesystem::path frame_file(const std::filesystem::path& folder, int frame) {
+  return folder / fmt::format("frame-{:05}.png", frame);
+}
+
+/// Where frames go as they are drawn.
+class Clip {
+ public:
+  /// Starts what makes a video of them, so that it is missed before a large scene is read.
+  Clip(const RecordOptions& options, const GlobalOptions& globals) : path_(options.output) {
+    if (is_video(options))
+      video_.emplace(path_, VideoFormat{options.size_px, options.frames_per_s, globals.threads});
+  }
+
+  void begin() {
+    if (!video_) make_output_folder(path_);
+  }
+
+  void add(const Picture& picture) {
+    if (video_) {
+      video_->write(picture.srgb);
+    } else {
+      write_output(frame_file(path_, frames_), encoded_picture(picture, PictureFormat::kPng));
+    }
+    ++frames_;
+  }
+
+  void finish() {
+    if (video_) video_->finish();
+    if (!video_ && std::filesystem::exists(frame_file(path_, frames_)))
+      say_warning(fmt::format("{}: frames of an earlier, longer clip follow those of this one", path_.string()));
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::optional<VideoFile> video_;
+  int frames_ = 0;
+};
+
+int record(const RecordOptions& options, const GlobalOptions& globals) {
+  check_picture_budget(options.size_px, globals.max_memory_bytes);
+  std::optional<CameraPath> path;
+  if (!options.path.empty()) path = read_camera_path(options.path);
+  const int frames = frames_of(options, path);
+  Clip clip(options, globals);
+  World world = open_world(options.folder, globals);
+  const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera, world);
+  const auto camera_in_frame = [&](int frame) {
+    const double in_clip_s = static_cast<double>(frame) / options.frames_per_s;
+    return placed_camera(path ? camera_at(*path, in_clip_s) : standing, world, options.size_px);
+  };
+
+  const HeadlessContext context(globals.device);
+  Renderer renderer(world, shader_folder());
+  clip.begin();
+  FrameOptions look;
+  look.tier = options.tier;
+  look.memory_budget_bytes = globals.max_memory_bytes;
+  {
+    Progress progress("frame", static_cast<std::uint64_t>(frames), globals.quiet);
+    for (int frame = 0; frame < frames; ++frame) {
+      const Camera camera = camera_in_frame(frame);
+      const double time_s = options.start_s + static_cast<double>(frame) / options.frames_per_s;
+      if (frame == 0) advance_to(world, time_s);
+      world.motion().watch(watched_place_m(camera, world.meadow().ground));
+      advance_to(world, time_s);
+      clip.add(renderer.render(camera, look, options.samples));
+      progress.advance();
+    }
+  }
+  clip.finish();
+  say_done(fmt::format("{}: {} frames of {} × {} pixels, {} a second", options.output.string(), frames,
+                       options.size_px.x, options.size_px.y, options.frames_per_s),
+           globals.quiet);
+  return kExitFine;
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
+  CLI::App* command = app.add_subcommand("record", "Draws a clip, without a window");
+  auto options = std::make_shared<RecordOptions>();
+  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
+  command
+      ->add_option("-o,--output", options->output,
+                   "A video that ends in .mp4 (H.264, made by ffmpeg), or a folder for pictures frame-00000.png, …")
+      ->required()
+      ->type_name("FILE|FOLDER");
+  CLI::Option* camera =
+      command
+          ->add_option("--camera", options->camera,
+                       "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
+          ->type_name("NAME|NUMBERS");
+  command
+      ->add_option("--path", options->path,
+                   "Where it goes: lines of time_s,x_m,y_m,z_m,yaw_deg,pitch_deg[,fov_deg] after a line of these "
+                   "names; z as +1.7 is above the ground")
+      ->type_name("FILE.csv")
+      ->excludes(camera);
+  command
+      ->add_option_function<std::string>(
+          "--duration",
+          [options](const std::string& text) {
+            options->duration_s = number_option("--duration", text, 0.0, kLongestS);
+          },
+          "Seconds (the path's, or 10)")
+      ->type_name("S");
+  command
+      ->add_option_function<std::string>(
+          "--fps",
+          [options](const std::string& text) {
+            options->frames_per_s = int_option("--fps", text, 1, kMostFramesPerS);
+          },
+          "Frames a second (30)")
+      ->type_name("N");
+  command
+      ->add_option_function<std::string>(
+          "--time",
+          [options](const std::string& text) { options->start_s = number_option("--time", text, 0.0, kLongestS); },
+          "The scene's time in the first frame, seconds (0)")
+      ->type_name("S");
+  add_size_option(*command, options->size_px);
+  add_tier_option(*command, options->tier);
+  add_samples_option(*command, options->samples);
+  command->footer(
+      "Examples:\n"
+      "  prairie record examples/meadow -o wind.mp4 --duration 8 --camera close --samples 4\n"
+      "  prairie record examples/meadow -o walk.mp4 --path walk.csv --size 1920x1080 --time 5\n"
+      "  prairie record examples/meadow -o frames --duration 2 --fps 24 --size 640x360");
+  command->callback([options, &globals, &chosen] {
+    chosen = [options, &globals] { return record(*options, globals); };
+  });
+}
+
+}  // namespace prairie
