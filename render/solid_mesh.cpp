@@ -91,6 +91,22 @@ void add_turned(SolidMesh& mesh, const Turned& part) {
   for (std::size_t n = first; n < first + 2 * kSegments; n += 2) add_quad(mesh, n, n + 2, n + 3, n + 1);
 }
 
+// The four sides of a spoke, from within the hub to within the rim.
+void add_spoke(SolidMesh& mesh, float turn) {
+  constexpr float kHalfThickness = 0.35f;  // along the axle, as a share of the wheel's
+  const float kFrom = 0.9f * layouts::kHubRadius, kTo = 1.01f * layouts::kRimInside;
+  const glm::vec3 along(std::cos(turn), 0.0f, std::sin(turn));
+  const glm::vec3 across = layouts::kSpokeHalfWidth * glm::vec3(-along.z, 0.0f, along.x);
+  const glm::vec3 axle(0.0f, kHalfThickness, 0.0f);
+  for (const glm::vec3& side : {across, -across, axle, -axle}) {
+    const glm::vec3 edge = side.y == 0.0f ? axle : across;
+    const std::size_t first = mesh.vertices.size();
+    for (const glm::vec3& corner : {kFrom * along - edge, kTo * along - edge, kTo * along + edge, kFrom * along + edge})
+      mesh.vertices.push_back({corner + side, glm::normalize(side)});
+    add_quad(mesh, first, first + 1, first + 2, first + 3);
+  }
+}
+
 }  // namespace
 
 SolidMesh sphere_mesh(int subdivisions) {
@@ -134,13 +150,12 @@ SolidMesh box_mesh() {
 SolidMesh wheel_mesh() {
   using layouts::kHubRadius;
   using layouts::kRimInside;
-  constexpr float kSpokeHalf = 0.3f;  // half their thickness, as a share of the wheel's
   SolidMesh mesh;
+  for (std::uint32_t spoke = 0; spoke < layouts::kSpokes; ++spoke)
+    add_spoke(mesh, 2.0f * std::numbers::pi_v<float> * static_cast<float>(spoke) / layouts::kSpokes);
   for (const float side : {-1.0f, 1.0f}) {
-    for (const Turned& part : {Turned{kRimInside, side, 1.0f, side, 0.0f, side},
-                               Turned{kHubRadius, side * kSpokeHalf, kRimInside, side * kSpokeHalf, 0.0f, side},
-                               Turned{0.0f, side, kHubRadius, side, 0.0f, side}})
-      add_turned(mesh, part);
+    add_turned(mesh, {kRimInside, side, 1.0f, side, 0.0f, side});
+    add_turned(mesh, {0.0f, side, kHubRadius, side, 0.0f, side});
   }
   add_turned(mesh, {1.0f, -1.0f, 1.0f, 1.0f, 1.0f, 0.0f});
   add_turned(mesh, {kRimInside, -1.0f, kRimInside, 1.0f, -1.0f, 0.0f});

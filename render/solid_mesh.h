@@ -23,7 +23,7 @@ SolidMesh sphere_mesh(int subdivisions);
 /// A cube whose edges and corners can be rounded: its vertices are place · (half size − radius) + radius · facing.
 SolidMesh box_mesh();
 
-/// A wheel around the y axis: rim, hub, and two discs between them that hold the spokes.
+/// A wheel around the y axis: rim, hub and spokes.
 SolidMesh wheel_mesh();
 
 }  // namespace prairie

@@ -4,14 +4,14 @@
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/haze.glsl"
-#include "shaders/pass/solid_table.glsl"
+#include "shaders/shared/solid.glsl"
 #include "shaders/pass/stone.glsl"
 #include "shaders/pass/carpentry.glsl"
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 in_body_m;
 layout(location = 2) in vec3 body_normal;
-layout(location = 3) flat in uint solid_index;
+layout(location = 3) flat in SolidParams solid;
 layout(location = 0) out vec4 color;
 
 // What of the sky a place sees this far above the ground: blades around take most of it next to their feet.
@@ -21,27 +21,25 @@ const float kLeastSun = 0.10;
 const float kBounce = 0.45;
 
 void main() {
-  SolidParams solid = solids[solid_index];
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * length(from_eye_m);
   vec3 normal = normalize(body_normal);
   vec3 albedo = solid.albedo;
   if (solid.shape == kSolidBox) albedo = board_albedo(solid, in_body_m, normal, pixel_m);
-  if (solid.shape == kSolidWheel) {
-    albedo = wheel_albedo(solid, in_body_m, normal, pixel_m);
-    if (albedo.r < 0.0) discard;
-  }
+  if (solid.shape == kSolidWheel) albedo = wheel_albedo(solid, in_body_m, normal, pixel_m);
   if (solid.shape == kSolidSphere && solid.outline_roughness > 0.0) {
     vec3 direction = normalize(in_body_m);
-    albedo = stone_albedo(direction, solid, pixel_m);
-    normal = stone_normal(direction, solid, pixel_m);
+    StoneShape shape = stone_shape(direction, solid, kShapeLayers, pixel_m);
+    albedo = stone_albedo(direction, shape.dent.w, solid, pixel_m);
+    normal = stone_normal(direction, shape, solid);
   }
-  normal = scene_from_body(solid) * normal;
+  normal = mat3(solid.forward, solid.left, solid.up) * normal;
 
   float above_m = max(from_eye_m.z - solid.ground_from_eye_m, 0.0);
   float in_sward = 1.0 - smoothstep(0.0, max(0.9 * frame.strip_height_m, 0.35 * solid.half_size_m.z), above_m);
   float sky = mix(1.0, kLeastSky, in_sward);
   vec3 ambient = sky * mix(frame.root_ambient, frame.top_ambient, 0.5 + 0.5 * normal.z);
-  ambient += sky * kBounce * (0.5 - 0.5 * normal.z) * frame.mean_albedo * frame.sun_radiance * max(frame.sun_direction.z, 0.0);
+  vec3 sunlit_grass = frame.mean_albedo * frame.sun_radiance * max(frame.sun_direction.z, 0.0);
+  ambient += sky * kBounce * (0.5 - 0.5 * normal.z) * sunlit_grass;
   float sun = max(dot(normal, frame.sun_direction), 0.0) * mix(1.0, kLeastSun, in_sward);
   color = vec4(hazed(albedo * (ambient + sun * frame.sun_radiance), haze_at(from_eye_m)), 0.0);
 }

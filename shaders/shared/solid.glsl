@@ -23,3 +23,5 @@ const uint kSolidWheel = 2u;
 const float kRimInside = 0.84f;
 const float kTyreInside = 0.945f;
 const float kHubRadius = 0.19f;
+const float kSpokeHalfWidth = 0.042f;
+const uint kSpokes = 12u;
