@@ -9,8 +9,8 @@ namespace {
 
 constexpr glm::vec3 kGranite(0.17f, 0.162f, 0.15f);
 constexpr float kStoneRoughness = 0.06f;
-constexpr glm::vec3 kBoards(0.33f, 0.235f, 0.145f);
-constexpr glm::vec3 kBeams(0.24f, 0.165f, 0.10f);
+constexpr glm::vec3 kBoards(0.25f, 0.18f, 0.115f);
+constexpr glm::vec3 kBeams(0.20f, 0.14f, 0.088f);
 
 // The cart, in half widths of its own.
 constexpr glm::dvec3 kBoxHalf(1.6, 1.0, 0.45);

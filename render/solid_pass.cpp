@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSphereSubdivisions = 4;  // 5120 triangles: a third of a pixel off where the sphere is 500 pixels wide
 constexpr float kRoundestEdgeM = 0.02f;
-constexpr glm::vec3 kStoneAlbedo(0.30f, 0.29f, 0.27f);
+constexpr glm::vec3 kStoneAlbedo(0.17f, 0.162f, 0.15f);
 // By shape.
 constexpr std::array<const char*, 3> kShapeDefines{"STONE", "BOARDS", "WHEEL"};
 

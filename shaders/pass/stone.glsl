@@ -3,7 +3,7 @@
 #include "shaders/pass/noise_3d.glsl"
 
 const float kStoneRadiusM = 0.45;
-const float kStoneRoughness = 0.05;  // depth of its dents over its radius
+const float kStoneRoughness = 0.06;  // depth of its dents over its radius
 
 // How deep the surface lies under the sphere in a direction, 0 to 1 (w), and the slope of that (xyz). Steep between two
 // levels and level on them: faces with edges rather than waves.
