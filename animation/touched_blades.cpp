@@ -135,11 +135,12 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
     std::vector<TouchedBlade>& touched = patch.touched;
     InertialChains chains(touched.size());
     const CellId cell = id;
-    const Patch& here = patch;
+    Patch& here = patch;
+    here.standing.resize(touched.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touched.size(), ChainBlock::kBlades), [&](const auto& range) {
       for (std::size_t n = range.begin(); n < range.end(); ++n) {
         TouchedBlade& blade = touched[n];
-        const Standing now = standing(around, cell, here, blade.index);
+        const Standing& now = here.standing[n] = standing(around, cell, here, blade.index);
         keep_in_place(blade.rest, now.rest, blade.motion.turn);
         blade.rest = now.rest;
         ChainTraits traits = *now.species;
@@ -190,30 +191,37 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
       }
     }
   }
+  for (auto& [id, patch] : patches_) patch.is_near = false;
   for (const auto& [id, objects] : near) {
     Patch& patch = patch_at(around, id);
+    patch.is_near = true;
     const glm::dvec3 base_m = tile_base(around.meadow, id.tile);
     std::vector<Solid> local;  // in the tile's frame
-    std::vector<Disc> discs;
-    for (const Solid* solid : objects) {
-      local.push_back(moved(*solid, -base_m));
-      discs.push_back(footprint(local.back()));
-    }
-    std::vector<const TouchedBlade*> known(patch.blades.size(), nullptr);
-    for (const TouchedBlade& blade : patch.touched) known[blade.index] = &blade;
-    std::vector<std::optional<TouchedBlade>> found(patch.blades.size());
+    for (const Solid* solid : objects) local.push_back(moved(*solid, -base_m));
+    constexpr std::size_t kUnknown = ~std::size_t{0};
+    std::vector<std::size_t> known(patch.blades.size(), kUnknown);
+    for (std::size_t n = 0; n < patch.touched.size(); ++n) known[patch.touched[n].index] = n;
+    struct Found {
+      TouchedBlade blade;
+      Standing standing;
+    };
+    std::vector<std::optional<Found>> found(patch.blades.size());
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(patch.blades.size()), 32), [&](const auto& range) {
       for (std::uint32_t index = range.begin(); index != range.end(); ++index) {
         const Blade& blade = patch.blades[index];
-        const bool may_touch = std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
-          return glm::distance(disc.centre_m, glm::dvec2(blade.root_m)) < disc.radius_m + 1.05 * static_cast<double>(blade.height_m);
+        const glm::dvec3 root_m(blade.root_m, blade.ground_m);
+        const auto length_m = static_cast<double>(blade.height_m);
+        const bool may_touch = std::any_of(local.begin(), local.end(), [&](const Solid& solid) {
+          return separation(solid, root_m).distance_m < length_m;
         });
         if (!may_touch) continue;
-        const Standing now = standing(around, id, patch, index);
+        Standing now;
         TouchedBlade bent;
-        if (known[index] != nullptr) {
-          bent = *known[index];
+        if (known[index] != kUnknown) {
+          bent = patch.touched[known[index]];
+          now = patch.standing[known[index]];
         } else {
+          now = standing(around, id, patch, index);
           bent.index = index;
           bent.rest = now.rest;
           bent.motion.turn = now.virtual_turn;
@@ -226,25 +234,26 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
         if (!is_touched) continue;
         bent.near_steps = 0;
         bent.fades = 0;
-        found[index] = bent;
+        found[index] = Found{bent, now};
       }
     });
     std::vector<TouchedBlade> touched;
+    std::vector<Standing> standing_now;
     for (std::uint32_t index = 0; index < found.size(); ++index) {
-      if (found[index]) {
-        touched.push_back(*found[index]);
-      } else if (known[index] != nullptr) {
-        touched.push_back(*known[index]);
-      }
+      if (!found[index] && known[index] == kUnknown) continue;
+      touched.push_back(found[index] ? found[index]->blade : patch.touched[known[index]]);
+      standing_now.push_back(found[index] ? found[index]->standing : patch.standing[known[index]]);
     }
     patch.touched = std::move(touched);
+    patch.standing = std::move(standing_now);
   }
 }
 
-void TouchedBlades::hand_over(const Surroundings& around, float dt_s) {
+void TouchedBlades::hand_over(float dt_s) {
   for (auto& [id, patch] : patches_) {
-    for (TouchedBlade& blade : patch.touched) {
-      const Standing now = standing(around, id, patch, blade.index);
+    for (std::size_t n = 0; n < patch.touched.size(); ++n) {
+      TouchedBlade& blade = patch.touched[n];
+      const Standing& now = patch.standing[n];
       const float most = kFadePerS * dt_s;
       blade.rise += std::clamp(now.least_rise - blade.rise, -most, most);
       if (blade.fades != 0) {
@@ -263,20 +272,29 @@ void TouchedBlades::hand_over(const Surroundings& around, float dt_s) {
       blade.fades = 1;
       blade.offset = plus(blade.motion.turn, now.virtual_turn, -1.0f);
     }
-    std::erase_if(patch.touched, [](const TouchedBlade& blade) { return blade.fades == kFaded; });
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < patch.touched.size(); ++n) {
+      if (patch.touched[n].fades == kFaded) continue;
+      patch.touched[kept] = patch.touched[n];
+      patch.standing[kept++] = patch.standing[n];
+    }
+    patch.touched.resize(kept);
+    patch.standing.resize(kept);
   }
-  std::erase_if(patches_, [](const auto& entry) { return entry.second.touched.empty(); });
+  std::erase_if(patches_, [](const auto& entry) { return entry.second.touched.empty() && !entry.second.is_near; });
 }
 
-void TouchedBlades::pose(const Surroundings& around) {
+void TouchedBlades::pose() {
   groups_.clear();
   chains_.clear();
   for (const auto& [id, patch] : patches_) {
+    if (patch.touched.empty()) continue;
     std::vector<TouchedGroup> groups;
     for (const PlantedCell& cell : patch.tables.cells)
       groups.push_back({cell.key, std::vector<std::uint32_t>(cell.planted, 0)});
-    for (const TouchedBlade& blade : patch.touched) {
-      const Standing now = standing(around, id, patch, blade.index);
+    for (std::size_t n = 0; n < patch.touched.size(); ++n) {
+      const TouchedBlade& blade = patch.touched[n];
+      const Standing& now = patch.standing[n];
       chains_.push_back(Kernels{}.turned_chain_over(now.blade, now.curve, 1.0f, blade.motion.turn, now.normal,
                                                     blade.rise));
       const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), blade.index);
@@ -289,9 +307,9 @@ void TouchedBlades::pose(const Surroundings& around) {
 
 void TouchedBlades::step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m, float dt_s) {
   swing(around, dt_s);
-  hand_over(around, dt_s);
+  hand_over(dt_s);
   touch(around, solids, eye_m);
-  pose(around);
+  pose();
 }
 
 TouchedState TouchedBlades::state() const {
@@ -304,8 +322,12 @@ TouchedState TouchedBlades::state() const {
 
 void TouchedBlades::restore(const TouchedState& state, const Surroundings& around) {
   patches_.clear();
-  for (const auto& [id, touched] : state) patch_at(around, id).touched = touched;
-  pose(around);
+  for (const auto& [id, touched] : state) {
+    Patch& patch = patch_at(around, id);
+    patch.touched = touched;
+    for (const TouchedBlade& blade : touched) patch.standing.push_back(standing(around, id, patch, blade.index));
+  }
+  pose();
 }
 
 }  // namespace prairie

@@ -78,12 +78,6 @@ class TouchedBlades {
   void restore(const TouchedState& state, const Surroundings& around);
 
  private:
-  struct Patch {
-    CellTables tables;
-    std::vector<Blade> blades;               // of all species, one after the other
-    std::vector<std::uint32_t> first_blade;  // of each of tables.cells
-    std::vector<TouchedBlade> touched;       // by index
-  };
   /// A blade as it would rest and sway there now.
   struct Standing {
     Blade blade;  // as worn
@@ -95,12 +89,20 @@ class TouchedBlades {
     glm::dvec2 place_m;
     const ChainTraits* species;
   };
+  struct Patch {
+    CellTables tables;
+    std::vector<Blade> blades;               // of all species, one after the other
+    std::vector<std::uint32_t> first_blade;  // of each of tables.cells
+    std::vector<TouchedBlade> touched;       // by index
+    std::vector<Standing> standing;          // of each of them, during a step
+    bool is_near = false;                    // an object that may touch its blades
+  };
   Standing standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const;
   Patch& patch_at(const Surroundings& around, CellId id);
   void swing(const Surroundings& around, float dt_s);
   void touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m);
-  void hand_over(const Surroundings& around, float dt_s);
-  void pose(const Surroundings& around);
+  void hand_over(float dt_s);
+  void pose();
 
   std::optional<PlantingLattice> lattice_;
   std::map<CellId, Patch> patches_;

@@ -47,12 +47,13 @@ glm::vec2 jitter_of(int sample, int samples, glm::ivec2 size_px) {
 namespace {
 
 struct StageTimers {
-  GpuTimer blades, strips, ground, sky;
+  GpuTimer blades, strips, solids, ground, sky;
 
   std::vector<StageTime> finish_frame() {
-    for (GpuTimer* timer : {&blades, &strips, &ground, &sky}) timer->finish_frame();
+    for (GpuTimer* timer : {&blades, &strips, &solids, &ground, &sky}) timer->finish_frame();
     return {{"blades", blades.last_ms()},
             {"strips", strips.last_ms()},
+            {"solids", solids.last_ms()},
             {"ground", ground.last_ms()},
             {"sky", sky.last_ms()}};
   }
@@ -118,7 +119,7 @@ struct Renderer::Passes {
     timers.strips.begin();
     strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();
-    solids.prepare(stream, drawn_movers(*world), plan.camera.eye_m);
+    solids.prepare(stream, drawn_movers(*world), plan.camera);
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
     statistics.strip = {plan.blades_in_strips, strips.triangles()};
@@ -152,7 +153,9 @@ struct Renderer::Passes {
     timers.strips.begin();
     strips.draw(strip_texture.get());
     timers.strips.end();
+    timers.solids.begin();
     solids.draw();
+    timers.solids.end();
     timers.ground.begin();
     ground->draw(plan, ground->anchor_m(plan.camera.eye_m), motion);
     timers.ground.end();

@@ -13,7 +13,9 @@
 namespace prairie {
 namespace {
 
-constexpr int kSphereSubdivisions = 4;  // 5120 triangles: a third of a pixel off where the sphere is 500 pixels wide
+// Spheres of 5120, 1280 and 320 triangles; each less than half a pixel off at the radius down to which it is drawn.
+constexpr std::array<int, 3> kSphereSubdivisions{4, 3, 2};
+constexpr std::array<double, 2> kLeastRadiusPx{180.0, 45.0};
 constexpr float kRoundestEdgeM = 0.02f;
 constexpr glm::vec3 kStoneAlbedo(0.17f, 0.162f, 0.15f);
 // By shape.
@@ -57,6 +59,24 @@ SolidParams params_of(const DrawnSolid& solid, glm::dvec3 eye_m) {
   return params;
 }
 
+std::size_t mesh_of(const DrawnSolid& solid, const Camera& camera) {
+  constexpr std::size_t kSpheres = kSphereSubdivisions.size();
+  if (solid.shape != DrawnSolid::Shape::kSphere) return kSpheres - 1 + static_cast<std::size_t>(solid.shape);
+  const double distance_m = camera.is_orthographic() ? 1.0 : glm::distance(solid.centre_m, camera.eye_m);
+  const glm::vec3 half = solid.half_size_m;
+  const double radius_px =
+      static_cast<double>(std::max({half.x, half.y, half.z})) / (camera.pixel_m() * std::max(distance_m, 1e-3));
+  std::size_t level = 0;
+  while (level < kLeastRadiusPx.size() && radius_px < kLeastRadiusPx[level]) ++level;
+  return level;
+}
+
+// Its DrawnSolid::Shape.
+std::size_t shape_of(std::size_t mesh) {
+  constexpr std::size_t kSpheres = kSphereSubdivisions.size();
+  return mesh < kSpheres ? 0 : mesh - kSpheres + 1;
+}
+
 }  // namespace
 
 struct SolidPass::Device {
@@ -64,10 +84,11 @@ struct SolidPass::Device {
       : folder(shader_folder), vertex_array(make_vertex_array()) {
     std::vector<SolidVertex> all_vertices;
     std::vector<std::uint16_t> all_indices;
-    const std::array<SolidMesh, kShapes> meshes{sphere_mesh(kSphereSubdivisions), box_mesh(), wheel_mesh()};
-    for (std::size_t shape = 0; shape < kShapes; ++shape) {
-      const SolidMesh& mesh = meshes[shape];
-      parts[shape] = {all_indices.size() * sizeof(std::uint16_t), static_cast<GLsizei>(mesh.indices.size()),
+    const std::array<SolidMesh, kMeshes> meshes{sphere_mesh(kSphereSubdivisions[0]), sphere_mesh(kSphereSubdivisions[1]),
+                                                sphere_mesh(kSphereSubdivisions[2]), box_mesh(), wheel_mesh()};
+    for (std::size_t n = 0; n < kMeshes; ++n) {
+      const SolidMesh& mesh = meshes[n];
+      parts[n] = {all_indices.size() * sizeof(std::uint16_t), static_cast<GLsizei>(mesh.indices.size()),
                       static_cast<GLint>(all_vertices.size())};
       all_vertices.insert(all_vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
       all_indices.insert(all_indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -100,32 +121,30 @@ struct SolidPass::Device {
   }
 
   std::filesystem::path folder;
-  std::array<GlProgram, kShapes> programs;
+  std::array<GlProgram, kShapeDefines.size()> programs;
   StoneMap stone;
   GlVertexArray vertex_array;
   GlBuffer vertices;
   GlBuffer indices;
-  std::array<Part, kShapes> parts;
+  std::array<Part, kMeshes> parts;
 };
 
 SolidPass::SolidPass(std::filesystem::path shader_folder) : shader_folder_(std::move(shader_folder)) {}
 
 SolidPass::~SolidPass() = default;
 
-void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, glm::dvec3 eye_m) {
+void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, const Camera& camera) {
   counts_ = {};
   if (solids.empty()) return;
   if (!device_) device_ = std::make_unique<Device>(shader_folder_);
   std::vector<SolidParams> table;
-  for (std::size_t shape = 0; shape < kShapes; ++shape) {
+  for (std::size_t mesh = 0; mesh < kMeshes; ++mesh) {
     for (const DrawnSolid& solid : solids) {
-      if (static_cast<std::size_t>(solid.shape) != shape) continue;
-      table.push_back(params_of(solid, eye_m));
-      ++counts_[shape];
+      if (mesh_of(solid, camera) != mesh) continue;
+      table.push_back(params_of(solid, camera.eye_m));
+      ++counts_[mesh];
     }
-  }
-  for (std::size_t shape = 0; shape < kShapes; ++shape) {
-    if (counts_[shape] > 0) device_->program(shape);  // painting the stones' maps must not come between draws
+    if (counts_[mesh] > 0) device_->program(shape_of(mesh));  // painting the stones' maps must not come between draws
   }
   table_ = stream.write(table.data(), table.size() * sizeof(SolidParams));
 }
@@ -133,11 +152,11 @@ void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids
 void SolidPass::draw() {
   triangles_drawn_ = 0;
   std::uint32_t first = 0;
-  for (std::size_t shape = 0; shape < kShapes; ++shape) {
-    const std::uint32_t count = counts_[shape];
+  for (std::size_t mesh = 0; mesh < kMeshes; ++mesh) {
+    const std::uint32_t count = counts_[mesh];
     if (count == 0) continue;
-    const Device::Part& part = device_->parts[shape];
-    const GLuint program = device_->program(shape);
+    const Device::Part& part = device_->parts[mesh];
+    const GLuint program = device_->program(shape_of(mesh));
     glUseProgram(program);
     glProgramUniform1ui(program, 0, first);
     glBindVertexArray(device_->vertex_array.get());

@@ -1,4 +1,4 @@
-// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a shape; a frame without
+// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a mesh; a frame without
 // solids costs nothing, and the shaders are compiled when the first one is seen.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <memory>
 #include <span>
 
+#include "lod/camera.h"
 #include "render/gl_objects.h"
 #include "render/stream_buffer.h"
 
@@ -39,18 +40,19 @@ class SolidPass {
   SolidPass& operator=(const SolidPass&) = delete;
 
   /// Hands a frame's solids to the device. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
-  void prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, glm::dvec3 eye_m);
+  void prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, const Camera& camera);
   /// Draws them; the frame block must be bound.
   void draw();
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
-  static constexpr std::size_t kShapes = 3;
+  // Spheres of three levels of detail, boxes, wheels.
+  static constexpr std::size_t kMeshes = 5;
   struct Device;
 
   std::filesystem::path shader_folder_;
   std::unique_ptr<Device> device_;  // none until there is something to draw
-  std::array<std::uint32_t, kShapes> counts_{};
+  std::array<std::uint32_t, kMeshes> counts_{};
   StreamBuffer::Slice table_;
   std::uint64_t triangles_drawn_ = 0;
 };

@@ -1,4 +1,4 @@
-// The look of stones as cube maps, painted once by shaders/pass/stone_map.frag.
+// The look of stones as octahedral maps (shaders/pass/octahedral.glsl), painted once by shaders/pass/stone_map.frag.
 #pragma once
 
 #include <filesystem>

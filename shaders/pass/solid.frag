@@ -38,9 +38,10 @@ void main() {
 #ifdef STONE
   if (solid.outline_roughness > 0.0) {
     vec3 direction = normalize(in_body_m);
-    vec3 on_map = turned_by_seed(direction, solid.seed);
-    albedo = 0.5 * texture(stone_albedo_map, on_map).rgb;
-    normal = normalize(turned_back(texture(stone_surface_map, on_map).xyz - 0.5, solid.seed));
+    vec2 place = octahedral_place(turned_by_seed(direction, solid.seed));
+    float level = stone_level(solid.half_size_m.x, pixel_m);
+    albedo = 0.5 * textureLod(stone_albedo_map, place, level).rgb;
+    normal = normalize(turned_back(textureLod(stone_surface_map, place, level).xyz - 0.5, solid.seed));
   }
 #endif
   normal = scene_from_body(solid) * normal;

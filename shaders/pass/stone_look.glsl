@@ -1,6 +1,7 @@
 // The painted look of stones (shaders/pass/stone_map.frag), turned about by their seed so that no two lie alike.
-layout(binding = 1) uniform samplerCube stone_albedo_map;
-layout(binding = 2) uniform samplerCube stone_surface_map;
+#include "shaders/pass/octahedral.glsl"
+layout(binding = 1) uniform sampler2D stone_albedo_map;
+layout(binding = 2) uniform sampler2D stone_surface_map;
 
 vec3 turned_by_seed(vec3 v, uint seed) {
   uint turn = seed % 12u;
@@ -21,4 +22,9 @@ vec3 turned_back(vec3 v, uint seed) {
 }
 
 // How deep the surface lies under the sphere, 0 to 1.
-float stone_dent_at(vec3 direction, uint seed) { return textureLod(stone_surface_map, turned_by_seed(direction, seed), 0.0).w; }
+float stone_dent_at(vec3 direction, uint seed) { return textureLod(stone_surface_map, octahedral_place(turned_by_seed(direction, seed)), 0.0).w; }
+
+// The level of the maps for a stone of that radius. The square is four radii wide in the mean; its folds have no derivatives.
+float stone_level(float radius_m, float pixel_m) {
+  return log2(max(0.25 * pixel_m / radius_m * float(textureSize(stone_albedo_map, 0).x), 1.0e-3));
+}

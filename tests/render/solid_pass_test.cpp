@@ -60,7 +60,7 @@ class SolidPassTest : public HeadlessTest {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    pass.prepare(stream, {&solid, 1}, camera.eye_m);
+    pass.prepare(stream, {&solid, 1}, camera);
     pass.draw();
     std::vector<float> pixels(std::size_t{4} * camera.size_px.x * camera.size_px.y);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target.resolved_framebuffer());
@@ -140,7 +140,7 @@ TEST_F(SolidPassTest, BoulderStaysWithinItsSphere) {
 TEST_F(SolidPassTest, NothingIsMadeForNothing) {
   StreamBuffer stream(std::size_t{1} << 10);
   SolidPass pass("/nowhere");
-  pass.prepare(stream, {}, glm::dvec3(0.0));
+  pass.prepare(stream, {}, Camera{});
   pass.draw();
   EXPECT_EQ(pass.triangles_drawn(), 0u);
 }
