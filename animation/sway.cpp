@@ -172,7 +172,8 @@ WindowPlace window_place(glm::dvec2 centre_m, glm::dvec2 position_m) {
   const double distance_m = std::max(std::abs(away_m.x), std::abs(away_m.y));
   std::size_t level = 0;
   while (level + 1 < kLevels && distance_m >= fade_end_m(half_m(level))) ++level;
-  const double most_m = fade_end_m(half_m(kLevels - 1));
+  // Beyond the last window a texel farther, so that no blend reaches back into it.
+  const double most_m = fade_end_m(half_m(kLevels - 1)) + texel_m(kLevels - 1);
   return {level, centre_m + glm::clamp(away_m, -most_m, most_m)};
 }
 

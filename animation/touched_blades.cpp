@@ -15,7 +15,7 @@ namespace prairie {
 namespace {
 
 // A tip goes back to the virtual blade by no more than this share of its length in a sixtieth of a second.
-constexpr float kFadePerS = 0.5f;
+constexpr float kFadePerS = 0.28f;
 // Nearer to a solid a root is under it, as for bend_out.
 constexpr double kUnderM = 2e-3;
 
@@ -97,37 +97,10 @@ TouchedBlades::Patch& TouchedBlades::patch_at(const Surroundings& around, CellId
   return patch;
 }
 
-TouchedBlades::Standing TouchedBlades::standing(const Surroundings& around, CellId id, const Patch& patch,
-                                                std::uint32_t index) const {
-  Kernels kernels{patch.tables.tables.data()};
+StandingBlade TouchedBlades::standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const {
   const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), index);
   const PlantedCell& cell = patch.tables.cells[static_cast<std::size_t>(after - patch.first_blade.begin()) - 1];
-  Standing found;
-  found.blade = patch.blades[index];
-  found.species = &around.species[cell.species];
-  found.place_m = tile_origin_m(around.meadow, id.tile) + glm::dvec2(found.blade.root_m);
-  const glm::vec2 slope =
-      kernels.ground_in_cell(cell.ground_table, cell.side_m, found.blade.root_m - cell.offset_m).slope;
-  found.normal = kernels.normalized(glm::vec3(-slope.x, -slope.y, 1.0f));
-
-  const Tread tread = around.treading.sample(found.place_m);
-  Kernels::Pressing pressing{tread.lean_rad, tread.tilt_rad, tread.wear};
-  found.blade.height_m *= kernels.worn_length(tread.wear);
-  const Kernels::BladeCurve grown = kernels.pose_blade(found.blade, slope, 1.0f);
-  ChainVectors load{};
-  if (around.sway != nullptr) {
-    const VirtualTexel texel = around.sway->at(cell.species, found.place_m);
-    const auto& t = texel.segments;
-    const double periods = around.time_s / static_cast<double>(layouts::kSwayPeriodS);
-    load = kernels.with_own_sway(found.blade, grown, kernels.texel_load(t[0], t[1], t[2], t[3]),
-                                 kernels.texel_tip(t[0], t[1], t[2]), static_cast<float>(periods - std::floor(periods)));
-  }
-  found.curve = kernels.pressed_curve(grown, found.blade.height_m, found.normal, pressing);
-  found.least_rise = kernels.lowest_rise(kernels.lying_share(pressing));
-  found.rest = kernels.chain_rest(found.curve).along;
-  found.virtual_turn =
-      kernels.virtual_turns(found.rest, load, 1.0f / std::max(found.blade.stiffness, kernels.softest_chain()));
-  return found;
+  return standing_blade(around, id.tile, patch.tables, cell, patch.blades[index]);
 }
 
 void TouchedBlades::swing(const Surroundings& around, float dt_s) {
@@ -140,7 +113,7 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touched.size(), ChainBlock::kBlades), [&](const auto& range) {
       for (std::size_t n = range.begin(); n < range.end(); ++n) {
         TouchedBlade& blade = touched[n];
-        const Standing& now = here.standing[n] = standing(around, cell, here, blade.index);
+        const StandingBlade& now = here.standing[n] = standing(around, cell, here, blade.index);
         keep_in_place(blade.rest, now.rest, blade.motion.turn);
         blade.rest = now.rest;
         ChainTraits traits = *now.species;
@@ -203,7 +176,7 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
     for (std::size_t n = 0; n < patch.touched.size(); ++n) known[patch.touched[n].index] = n;
     struct Found {
       TouchedBlade blade;
-      Standing standing;
+      StandingBlade standing;
     };
     std::vector<std::optional<Found>> found(patch.blades.size());
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(patch.blades.size()), 32), [&](const auto& range) {
@@ -215,7 +188,7 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
           return separation(solid, root_m).distance_m < length_m;
         });
         if (!may_touch) continue;
-        Standing now;
+        StandingBlade now;
         TouchedBlade bent;
         if (known[index] != kUnknown) {
           bent = patch.touched[known[index]];
@@ -228,17 +201,25 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
           bent.rise = now.least_rise;
         }
         if (lies_under(local, now.curve.base_m)) bent.rise = std::min(bent.rise, 0.0f);
-        bool is_touched = false;
-        for (const Solid& solid : local)
-          is_touched |= bend_out(solid, now.blade, now.curve, 1.0f, now.normal, bent.motion, bent.rise);
-        if (!is_touched) continue;
+        const auto bend = [&] {
+          bool is_touched = false;
+          for (const Solid& solid : local)
+            is_touched |= bend_out(solid, now.blade, now.curve, 1.0f, now.normal, bent.motion, bent.rise);
+          return is_touched;
+        };
+        if (!bend()) continue;
+        if (bent.rise > 0.0f) {
+          // What lies beneath gives way, too.
+          bent.rise = 0.0f;
+          bend();
+        }
         bent.near_steps = 0;
         bent.fades = 0;
         found[index] = Found{bent, now};
       }
     });
     std::vector<TouchedBlade> touched;
-    std::vector<Standing> standing_now;
+    std::vector<StandingBlade> standing_now;
     for (std::uint32_t index = 0; index < found.size(); ++index) {
       if (!found[index] && known[index] == kUnknown) continue;
       touched.push_back(found[index] ? found[index]->blade : patch.touched[known[index]]);
@@ -253,7 +234,7 @@ void TouchedBlades::hand_over(float dt_s) {
   for (auto& [id, patch] : patches_) {
     for (std::size_t n = 0; n < patch.touched.size(); ++n) {
       TouchedBlade& blade = patch.touched[n];
-      const Standing& now = patch.standing[n];
+      const StandingBlade& now = patch.standing[n];
       const float most = kFadePerS * dt_s;
       blade.rise += std::clamp(now.least_rise - blade.rise, -most, most);
       if (blade.fades != 0) {
@@ -294,9 +275,8 @@ void TouchedBlades::pose() {
       groups.push_back({cell.key, std::vector<std::uint32_t>(cell.planted, 0)});
     for (std::size_t n = 0; n < patch.touched.size(); ++n) {
       const TouchedBlade& blade = patch.touched[n];
-      const Standing& now = patch.standing[n];
-      chains_.push_back(Kernels{}.turned_chain_over(now.blade, now.curve, 1.0f, blade.motion.turn, now.normal,
-                                                    blade.rise));
+      const StandingBlade& now = patch.standing[n];
+      chains_.push_back(now.chain(blade.motion.turn, blade.rise));
       const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), blade.index);
       const auto group = static_cast<std::size_t>(after - patch.first_blade.begin()) - 1;
       groups[group].slots[blade.index - patch.first_blade[group]] = static_cast<std::uint32_t>(chains_.size());

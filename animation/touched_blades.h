@@ -15,10 +15,7 @@
 #include "animation/handover.h"
 #include "animation/inertial_chains.h"
 #include "animation/solids.h"
-#include "animation/sway.h"
-#include "animation/treading.h"
-#include "animation/wind.h"
-#include "generator/cell_table.h"
+#include "animation/standing_blade.h"
 
 namespace prairie {
 
@@ -53,16 +50,6 @@ struct TouchedGroup {
 
 class TouchedBlades {
  public:
-  /// The world around the blades at the end of a step. `sway` may be null (calm air).
-  struct Surroundings {
-    const Meadow& meadow;
-    std::span<const ChainTraits> species;
-    const Wind& wind;
-    const Treading& treading;
-    const Sway* sway;
-    double time_s;
-  };
-
   /// Moves on by `dt_s`, after which solids lie where they lie. Blades farther than `kReachM` from the eye are left to the
   /// virtual model.
   void step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m, float dt_s);
@@ -78,26 +65,15 @@ class TouchedBlades {
   void restore(const TouchedState& state, const Surroundings& around);
 
  private:
-  /// A blade as it would rest and sway there now.
-  struct Standing {
-    Blade blade;  // as worn
-    glm::vec3 normal;
-    Kernels::BladeCurve curve;
-    ChainVectors rest;
-    ChainVectors virtual_turn;
-    float least_rise;
-    glm::dvec2 place_m;
-    const ChainTraits* species;
-  };
   struct Patch {
     CellTables tables;
     std::vector<Blade> blades;               // of all species, one after the other
     std::vector<std::uint32_t> first_blade;  // of each of tables.cells
     std::vector<TouchedBlade> touched;       // by index
-    std::vector<Standing> standing;          // of each of them, during a step
+    std::vector<StandingBlade> standing;          // of each of them, during a step
     bool is_near = false;                    // an object that may touch its blades
   };
-  Standing standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const;
+  StandingBlade standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const;
   Patch& patch_at(const Surroundings& around, CellId id);
   void swing(const Surroundings& around, float dt_s);
   void touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m);

@@ -94,7 +94,7 @@ void Motion::watch(glm::dvec2 eye_m) {
   if (sway_) sway_->follow(eye_m);
 }
 
-TouchedBlades::Surroundings Motion::surroundings(const Meadow& meadow) const {
+Surroundings Motion::surroundings(const Meadow& meadow) const {
   return {meadow, traits_, wind_, treading_, sway_ ? &*sway_ : nullptr, time_s()};
 }
 

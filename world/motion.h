@@ -68,7 +68,7 @@ class Motion {
     return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
   }
   bool blows() const;
-  TouchedBlades::Surroundings surroundings(const Meadow& meadow) const;
+  Surroundings surroundings(const Meadow& meadow) const;
 
   std::int64_t ticks_ = 0;
   bool has_wind_;

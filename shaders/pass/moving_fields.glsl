@@ -18,7 +18,8 @@ FieldPlace field_place(vec2 from_eye_m, int levels) {
   FieldPlace found;
   found.level = int(distance >= 1.0) + int(distance >= kSwayCoarsening && levels > 2);
   float coarser = found.level == 0 ? 1.0 : (found.level == 1 ? kSwayCoarsening : kSwayCoarsening * kSwayCoarsening);
-  float most_m = kFadedShare * half_m * coarser;
+  // Beyond the last window a texel farther, so that no blend reaches back into it.
+  float most_m = (kFadedShare * half_m + kSwayFinestM) * coarser;
   found.place = (frame.field_centre_m + clamp(away_m, -most_m, most_m)) / (2.0 * half_m * coarser);
   return found;
 }

@@ -1,0 +1,45 @@
+// A planted blade as treads and wind make it stand at a time: what a drawn blade of the virtual model is, on the CPU. Blades that
+// move by themselves start from it and come back to it (animation/touched_blades.h).
+#pragma once
+
+#include <span>
+
+#include "animation/chain_block.h"
+#include "animation/sway.h"
+#include "animation/treading.h"
+#include "animation/wind.h"
+#include "generator/cell_table.h"
+
+namespace prairie {
+
+/// All that moves blades, at the end of a step. `sway`: null in calm air.
+struct Surroundings {
+  const Meadow& meadow;
+  std::span<const ChainTraits> species;
+  const Wind& wind;
+  const Treading& treading;
+  const Sway* sway;
+  double time_s;
+};
+
+/// Positions are relative to the tile's corner and base, as the blade's.
+struct StandingBlade {
+  Blade blade;                // as worn
+  glm::vec3 normal;           // of the ground
+  Kernels::BladeCurve curve;  // at rest, as pressed
+  ChainVectors rest;          // directions of its segments
+  ChainVectors virtual_turn;  // from those, under wind and weight
+  float least_rise;           // Kernels::lowest_rise
+  glm::dvec2 place_m;         // in the scene
+  const ChainTraits* species;
+
+  Kernels::BladeChain chain(const ChainVectors& turn, float rise) const {
+    return Kernels{}.turned_chain_over(blade, curve, 1.0f, turn, normal, rise);
+  }
+};
+
+/// A blade of a cell that `tables` hold; as shaders/pass/grow.comp poses it.
+StandingBlade standing_blade(const Surroundings& around, TileId tile, const CellTables& tables, const PlantedCell& cell,
+                             const Blade& blade);
+
+}  // namespace prairie

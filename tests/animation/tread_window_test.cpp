@@ -1,0 +1,114 @@
+// Treads as a texture, and the rest shape that they give to blades.
+#include "animation/tread_window.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "animation/sway.h"
+#include "chain_cases.h"
+#include "shaders/shared/layouts.h"
+
+namespace prairie {
+namespace {
+
+constexpr int kSide = layouts::kTreadSide;
+
+TreadTexel texel(const TreadWindow& window, int level, glm::dvec2 position_m) {
+  const double size_m = 64.0 / kSide * std::pow(4.0, level);
+  const auto wrapped = [](double x) { return static_cast<std::size_t>(((static_cast<int>(std::floor(x)) % kSide) + kSide) % kSide); };
+  return window.image()[static_cast<std::size_t>(level) * kSide * kSide + wrapped(position_m.y / size_m) * kSide +
+                        wrapped(position_m.x / size_m)];
+}
+
+TEST(TreadWindow, HoldsWhatWasTrodden) {
+  Treading treading{TreadSettings{}};
+  TreadWindow window;
+  window.paint(treading, {0.0, 0.0});
+  EXPECT_TRUE(window.is_empty());
+  const TreadStep step{1, {-3.0, 2.03}, {4.0, 2.03}, 0.2, 1.0};
+  treading.step({&step, 1}, 1.0);
+  window.paint(treading, {0.0, 0.0});
+  EXPECT_FALSE(window.is_empty());
+  for (const glm::dvec2 place : {glm::dvec2(0.0625, 2.0625), glm::dvec2(2.3125, 2.1875), glm::dvec2(-2.9375, 2.0625)}) {
+    const Tread tread = treading.sample(place);
+    const TreadTexel found = texel(window, 0, place);
+    EXPECT_NEAR(found[2] / 127.0, static_cast<double>(tread.tilt_rad / layouts::kTreadMostRad), 1.0 / 127.0);
+    EXPECT_NEAR(found[0] / 127.0, static_cast<double>(tread.lean_rad.x / layouts::kTreadMostRad), 1.0 / 127.0);
+  }
+  EXPECT_EQ(texel(window, 0, {0.0, 8.0}), TreadTexel{});
+  EXPECT_GT(texel(window, 1, {0.2, 2.2})[2], 10) << "the coarser window has it, too";
+
+  // Once the eye is far away nothing of it is left, nor wraps around.
+  window.paint(treading, {1000.0, 0.0});
+  EXPECT_TRUE(window.is_empty());
+  window.paint(treading, {64.0, 0.0});
+  EXPECT_EQ(texel(window, 0, {0.0625, 2.0625}), TreadTexel{});
+  EXPECT_GT(texel(window, 1, {0.2, 2.2})[2], 10);
+}
+
+TEST(PressedCurve, LiesAsFarAsItIsTrodden) {
+  std::mt19937 random(5);
+  Kernels kernels;
+  for (int n = 0; n < 3000; ++n) {
+    Blade blade{};
+    blade.height_m = static_cast<float>(uniform(random, 0.1, 0.8));
+    blade.azimuth_rad = static_cast<float>(uniform(random, 0.0, 6.28));
+    blade.tilt_rad = static_cast<float>(uniform(random, 0.0, 0.4));
+    blade.curvature_rad = static_cast<float>(uniform(random, 0.0, 1.5));
+    blade.stiffness = static_cast<float>(uniform(random, 40.0, 200.0));
+    const glm::vec2 slope(static_cast<float>(uniform(random, -0.4, 0.4)), static_cast<float>(uniform(random, -0.4, 0.4)));
+    const glm::vec3 normal = kernels.normalized(glm::vec3(-slope.x, -slope.y, 1.0f));
+    const auto tilt = static_cast<float>(uniform(random, 0.0, 1.45));
+    const auto heading = static_cast<float>(uniform(random, 0.0, 6.28));
+    const Kernels::Pressing pressing{tilt * glm::vec2(std::cos(heading), std::sin(heading)), tilt, 0.0f};
+    const Kernels::BladeCurve rest = kernels.pose_blade(blade, slope, 1.0f);
+    const Kernels::BladeCurve pressed = kernels.pressed_curve(rest, blade.height_m, normal, pressing);
+
+    // The length stays, the side lies across, the tip comes down as the tilt says and goes where the tread went.
+    double length_m = 0.0;
+    glm::vec3 last = pressed.base_m;
+    for (int k = 1; k <= 64; ++k) {
+      const glm::vec3 point = kernels.hermite_point(pressed.base_m, pressed.tip_m, pressed.base_tangent_m, pressed.tip_tangent_m,
+                                                    static_cast<float>(k) / 64.0f);
+      length_m += static_cast<double>(glm::distance(point, last));
+      last = point;
+      ASSERT_GE(glm::dot(point - pressed.base_m, normal), std::min(glm::dot(rest.tip_m - rest.base_m, normal), 0.0f) - 1e-4f);
+    }
+    ASSERT_NEAR(length_m / static_cast<double>(blade.height_m), 1.0, 0.01);
+    ASSERT_NEAR(glm::dot(pressed.side, kernels.normalized(pressed.base_tangent_m)), 0.0f, 1e-3f);
+    const glm::vec3 chord = kernels.normalized(pressed.tip_m - pressed.base_m);
+    if (tilt > 1.3f) {
+      ASSERT_LT(glm::dot(chord, normal), 0.3f);
+      ASSERT_GT(glm::dot(glm::vec2(chord), glm::vec2(std::cos(heading), std::sin(heading))), 0.5f);
+    }
+    if (tilt < 0.01f) {
+      ASSERT_LT(glm::distance(chord, kernels.normalized(rest.tip_m - rest.base_m)), 0.03f);
+    }
+  }
+}
+
+TEST(PressedCurve, DoesNotSagIntoTheGround) {
+  std::mt19937 random(6);
+  Kernels kernels;
+  for (int n = 0; n < 2000; ++n) {
+    Blade blade{};
+    blade.height_m = static_cast<float>(uniform(random, 0.1, 0.8));
+    blade.azimuth_rad = static_cast<float>(uniform(random, 0.0, 6.28));
+    blade.tilt_rad = static_cast<float>(uniform(random, 0.0, 0.3));
+    blade.curvature_rad = static_cast<float>(uniform(random, 0.0, 1.2));
+    blade.stiffness = static_cast<float>(uniform(random, 40.0, 200.0));
+    const Kernels::Pressing pressing{{1.4f, 0.0f}, 1.4f, 0.0f};
+    const glm::vec3 up(0.0f, 0.0f, 1.0f);
+    const Kernels::BladeCurve rest = kernels.pose_blade(blade, glm::vec2(0.0f), 1.0f);
+    const Kernels::BladeChain chain = kernels.pressed_virtual_pose(blade, rest, 1.0f, ChainVectors{}, up, pressing);
+    for (int k = 0; k <= 32; ++k)
+      ASSERT_GT(kernels.chain_point(chain, static_cast<float>(k) / 32.0f).z, -0.01f * blade.height_m);
+    ASSERT_LT(chain.p4.z, 0.2f * blade.height_m);
+  }
+}
+
+}  // namespace
+}  // namespace prairie
