@@ -20,12 +20,17 @@ namespace prairie {
 /// Whole numbers of ticks make all usual frame rates, so that times do not depend on how they were reached.
 inline constexpr std::int64_t kTicksPerS = 705'600'000;
 
-/// All that changes but the camera's wake, which belongs to a person at a window; plain data.
+inline double seconds_of(std::int64_t ticks) {
+  return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
+}
+
+/// All that changes but the camera's wake and winds that were spawned or set, which belong to a person at a window; plain
+/// data.
 struct MotionState {
   std::int64_t ticks = 0;
   TreadState treading;
   std::optional<glm::dvec2> eye_m;  // if one watches
-  std::optional<SwayState> sway;    // if there is wind, too
+  std::optional<SwayState> sway;    // around the eye, if there is wind, too
   TouchedState touched;
 };
 
@@ -35,7 +40,7 @@ class Motion {
   Motion(const Scene& scene, const Meadow& meadow);
 
   std::int64_t ticks() const { return ticks_; }
-  double time_s() const { return seconds(ticks_); }
+  double time_s() const { return seconds_of(ticks_); }
   const Wind& wind() const { return wind_; }
   const Treading& treading() const { return treading_; }
   /// Nothing in still air, or as long as nobody watches.
@@ -64,9 +69,6 @@ class Motion {
   void restore(const Meadow& meadow, MotionState state);
 
  private:
-  static double seconds(std::int64_t ticks) {
-    return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
-  }
   bool blows() const;
   TouchedBlades::Surroundings surroundings(const Meadow& meadow) const;
 
