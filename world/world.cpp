@@ -12,6 +12,7 @@
 #include "world/camera_placement.h"
 #include "world/scene_hash.h"
 #include "world/scene_wind.h"
+#include "world/state_file.h"
 
 namespace prairie {
 namespace {
@@ -107,6 +108,20 @@ void World::step(double dt_s) {
     solids.insert(solids.end(), solid.begin(), solid.end());
   }
   motion_->step(meadow_, ticks, bodies, solids);
+}
+
+std::vector<std::byte> World::saved_state() const {
+  return state_bytes(motion_->state(), {scene_hash_, scene_.treading});
+}
+
+void World::load_state(std::span<const std::byte> bytes, const std::string& file) {
+  MotionState state = parse_state(bytes, {scene_hash_, scene_.treading}, file);
+  try {
+    motion_->restore(meadow_, std::move(state));
+  } catch (const BadInput& fault) {
+    // What moves knows no files.
+    throw BadInput(file, fault.field, fault.found, fault.expected);
+  }
 }
 
 }  // namespace prairie

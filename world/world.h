@@ -1,8 +1,10 @@
 // The assembled prairie: scene, ground and maps in memory, and the state that time moves. No OpenGL.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,12 @@ class World {
   /// Advances the world, its movers included, by a step of more than zero and at most a tenth of a second.
   void step(double dt_s);
   double time_s() const { return motion_->time_s(); }
+
+  /// What time has moved, as the bytes of a state file (world/state_file.h). Throws OverBudget if those are too many.
+  std::vector<std::byte> saved_state() const;
+  /// Goes on from such bytes. Throws BadInput, which names `file`, and changes nothing, if they are not a state of this
+  /// scene.
+  void load_state(std::span<const std::byte> bytes, const std::string& file);
 
  private:
   Scene scene_;
