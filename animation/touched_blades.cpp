@@ -1,5 +1,6 @@
 #include "animation/touched_blades.h"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -8,8 +9,10 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "animation/blade_checks.h"
 #include "animation/contact.h"
 #include "generator/plant_cell.h"
+#include "maps/error.h"
 
 namespace prairie {
 namespace {
@@ -81,19 +84,34 @@ std::size_t TouchedBlades::size() const {
   return count;
 }
 
-TouchedBlades::Patch& TouchedBlades::patch_at(const Surroundings& around, CellId id) {
+// Finds how many blades of which species there are.
+void TouchedBlades::lay_out(const Meadow& meadow, CellId id, Patch& patch) {
+  if (!lattice_) lattice_.emplace(meadow);
+  append_cell(meadow, *lattice_, id.tile, id.cell, patch.tables);
+  std::uint32_t count = 0;
+  for (const PlantedCell& cell : patch.tables.cells) {
+    patch.first_blade.push_back(count);
+    count += cell.planted;
+  }
+  patch.blade_count = count;
+}
+
+// The blades of a patch that is laid out.
+void TouchedBlades::plant(const Meadow& meadow, Patch& patch) {
+  patch.blades.resize(patch.blade_count);
+  for (std::size_t n = 0; n < patch.tables.cells.size(); ++n) {
+    const PlantedCell& cell = patch.tables.cells[n];
+    plant_cell(cell, meadow.species[cell.species].species.params, patch.tables.tables,
+               std::span(patch.blades).subspan(patch.first_blade[n], cell.planted));
+  }
+}
+
+TouchedBlades::Patch& TouchedBlades::patch_at(const Meadow& meadow, CellId id) {
   const auto [entry, is_new] = patches_.try_emplace(id);
   Patch& patch = entry->second;
   if (!is_new) return patch;
-  if (!lattice_) lattice_.emplace(around.meadow);
-  append_cell(around.meadow, *lattice_, id.tile, id.cell, patch.tables);
-  for (const PlantedCell& cell : patch.tables.cells) {
-    const std::size_t first = patch.blades.size();
-    patch.first_blade.push_back(static_cast<std::uint32_t>(first));
-    patch.blades.resize(first + cell.planted);
-    plant_cell(cell, around.meadow.species[cell.species].species.params, patch.tables.tables,
-               std::span(patch.blades).subspan(first));
-  }
+  lay_out(meadow, id, patch);
+  plant(meadow, patch);
   return patch;
 }
 
@@ -166,7 +184,7 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
   }
   for (auto& [id, patch] : patches_) patch.is_near = false;
   for (const auto& [id, objects] : near) {
-    Patch& patch = patch_at(around, id);
+    Patch& patch = patch_at(around.meadow, id);
     patch.is_near = true;
     const glm::dvec3 base_m = tile_base(around.meadow, id.tile);
     std::vector<Solid> local;  // in the tile's frame
@@ -265,7 +283,21 @@ void TouchedBlades::hand_over(float dt_s) {
   std::erase_if(patches_, [](const auto& entry) { return entry.second.touched.empty() && !entry.second.is_near; });
 }
 
-void TouchedBlades::pose() {
+void TouchedBlades::pose(const Surroundings& around) {
+  for (auto& [id, patch] : patches_) {
+    patch.standing.clear();
+    for (const TouchedBlade& blade : patch.touched) patch.standing.push_back(standing(around, id, patch, blade.index));
+  }
+  make_chains();
+}
+
+void TouchedBlades::meet(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m) {
+  pose(around);
+  touch(around, solids, eye_m);
+  make_chains();
+}
+
+void TouchedBlades::make_chains() {
   groups_.clear();
   chains_.clear();
   for (const auto& [id, patch] : patches_) {
@@ -289,7 +321,7 @@ void TouchedBlades::step(const Surroundings& around, std::span<const Solid> soli
   swing(around, dt_s);
   hand_over(dt_s);
   touch(around, solids, eye_m);
-  pose();
+  make_chains();
 }
 
 TouchedState TouchedBlades::state() const {
@@ -300,14 +332,30 @@ TouchedState TouchedBlades::state() const {
   return state;
 }
 
-void TouchedBlades::restore(const TouchedState& state, const Surroundings& around) {
-  patches_.clear();
+void TouchedBlades::restore(const TouchedState& state, const Meadow& meadow) {
+  check_state(state, meadow);
+  // Counted before they are planted: a made-up state may name any number of cells.
+  std::map<CellId, Patch> patches;
+  std::size_t blades = 0;
   for (const auto& [id, touched] : state) {
-    Patch& patch = patch_at(around, id);
-    patch.touched = touched;
-    for (const TouchedBlade& blade : touched) patch.standing.push_back(standing(around, id, patch, blade.index));
+    Patch& patch = patches[id];
+    lay_out(meadow, id, patch);
+    blades += patch.blade_count;
+    if (touched.back().index >= patch.blade_count)
+      throw BadInput("", "touched.index", fmt::format("{}", touched.back().index),
+                     fmt::format("one of the {} blades of cell {} of tile {}, {}", patch.blade_count, id.cell, id.tile.i,
+                                 id.tile.j));
+    if (blades > kMostTouchable)
+      throw BadInput("", "touched", "cells with more blades", fmt::format("at most {} in all", kMostTouchable));
   }
-  pose();
+  for (const auto& [id, touched] : state) {
+    Patch& patch = patches[id];
+    plant(meadow, patch);
+    patch.touched = touched;
+  }
+  patches_ = std::move(patches);
+  groups_.clear();
+  chains_.clear();
 }
 
 }  // namespace prairie

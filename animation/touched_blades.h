@@ -29,9 +29,9 @@ struct CellId {
 /// A blade that moves by itself.
 struct TouchedBlade {
   std::uint32_t index = 0;  // among the blades of its cell
-  ChainMotion motion;       // from its shape at rest, which treads change
-  ChainVectors rest;        // directions of that
-  ChainVectors offset;      // while it fades: from the virtual blade
+  ChainMotion motion{};     // from its shape at rest, which treads change
+  ChainVectors rest{};      // directions of that
+  ChainVectors offset{};    // while it fades: from the virtual blade
   float rise = -1.0f;       // at which its segments rise at least: none has anything to lie on under an object
   std::int32_t near_steps = 0;
   std::int32_t fades = 0;  // 1 while it goes back to the virtual model, 2 once it is there
@@ -55,18 +55,24 @@ class TouchedBlades {
   void step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m, float dt_s);
   static constexpr double kReachM = 30.0;
 
+  /// Bends blades out of solids that were there before anybody looked.
+  void meet(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m);
+
   std::size_t size() const;
   std::span<const TouchedGroup> groups() const { return groups_; }
   /// Relative to their tile's corner and base, in full length.
   std::span<const Kernels::BladeChain> chains() const { return chains_; }
 
   TouchedState state() const;
-  /// Takes over a state; shapes to draw are there after the next step or `pose`.
-  void restore(const TouchedState& state, const Surroundings& around);
+  /// Takes over a state. Throws BadInput, and changes nothing, if it cannot be one of this meadow. Shapes to draw are there
+  /// after the next step or `pose`.
+  void restore(const TouchedState& state, const Meadow& meadow);
+  void pose(const Surroundings& around);
 
  private:
   struct Patch {
     CellTables tables;
+    std::uint32_t blade_count = 0;           // as planted, also before they are
     std::vector<Blade> blades;               // of all species, one after the other
     std::vector<std::uint32_t> first_blade;  // of each of tables.cells
     std::vector<TouchedBlade> touched;       // by index
@@ -74,11 +80,13 @@ class TouchedBlades {
     bool is_near = false;                    // an object that may touch its blades
   };
   StandingBlade standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const;
-  Patch& patch_at(const Surroundings& around, CellId id);
+  void lay_out(const Meadow& meadow, CellId id, Patch& patch);
+  static void plant(const Meadow& meadow, Patch& patch);
+  Patch& patch_at(const Meadow& meadow, CellId id);
   void swing(const Surroundings& around, float dt_s);
   void touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m);
   void hand_over(float dt_s);
-  void pose();
+  void make_chains();
 
   std::optional<PlantingLattice> lattice_;
   std::map<CellId, Patch> patches_;

@@ -11,8 +11,6 @@
 namespace prairie {
 namespace {
 
-// Node indices stay within an int at any spacing, and a float still tells a millimetre inside a page.
-constexpr double kFarthestM = 1e7;
 constexpr double kLongestStepM = 100.0;
 
 // Not so written as to let NaN pass.
@@ -20,9 +18,18 @@ bool within(double value, double low, double high) {
   return value >= low && value <= high;
 }
 
-template <class Number>  // float or double
-void check(const std::string& field, Number number, double low, double high, const char* what) {
-  check_range(field, static_cast<double>(number), low, high, what);
+// Names only where they are needed: there may be millions of numbers.
+template <class Number>
+void check(const char* field, Number number, double low, double high, const char* what) {
+  const auto value = static_cast<double>(number);
+  if (!within(value, low, high)) check_range(field, value, low, high, what);
+}
+
+// Bodies reach a little beyond where they may be.
+void check_page(PageIndex page, double spacing_m) {
+  const double most = (kFarthestM + 100.0) / (kPageNodes * spacing_m);
+  check("treads.page", page.i, -most, most, "a page");
+  check("treads.page", page.j, -most, most, "a page");
 }
 
 std::string name_of(const TreadStep& step, const char* field) {
@@ -33,7 +40,7 @@ std::string name_of(const TreadStep& step, const char* field) {
 
 const TreadSettings& checked(const TreadSettings& settings) {
   const auto number = [](const char* name, auto value, double low, double high) {
-    check(std::string("treading.") + name, value, low, high, "a number");
+    check((std::string("treading.") + name).c_str(), value, low, high, "a number");
   };
   number("spacing_m", settings.spacing_m, 0.05, 0.5);
   number("reach_radii", settings.reach_radii, 1.0, 6.0);
@@ -63,7 +70,7 @@ void check_steps(std::span<const TreadStep> steps, std::span<const std::uint32_t
     }
     const auto number = [&](const char* field, double value, double low, double high, const char* what) {
       // Names only where they are needed: this runs for every body in every step.
-      if (!within(value, low, high)) check(name_of(step, field), value, low, high, what);
+      if (!within(value, low, high)) check_range(name_of(step, field), value, low, high, what);
     };
     for (const double coordinate_m : {step.from_m.x, step.from_m.y, step.to_m.x, step.to_m.y}) {
       number("position_m", coordinate_m, -kFarthestM, kFarthestM, "metres");
@@ -82,6 +89,7 @@ void check_state(const TreadSettings& settings, const TreadState& state) {
     check("treads.spacing_m", spacing_m, settings.spacing_m, settings.spacing_m, "the scene's");
   }
   for (const auto& [page, nodes] : state.nodes.pages()) {
+    check_page(page, settings.spacing_m);
     for (const TreadNode& node : nodes) {
       check("treads.field", node.field, 0.0, 1e9, "a number");
       check("treads.start_s", node.start_s, -1e12, state.time_s, "seconds");
@@ -92,7 +100,10 @@ void check_state(const TreadSettings& settings, const TreadState& state) {
       check("treads.direction", std::hypot(node.direction.x, node.direction.y), 0.0, 1.5, "a length");
     }
   }
-  for (const auto& [page, wear] : state.wear.pages()) check_wear(wear);
+  for (const auto& [page, wear] : state.wear.pages()) {
+    check_page(page, settings.spacing_m);
+    check_wear(wear);
+  }
 }
 
 void check_wear(std::span<const float> wear) {

@@ -17,7 +17,9 @@
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/sha256.h"
+#include "app/state_options.h"
 #include "app/tile_views.h"
+#include "app/world_time.h"
 #include "generator/plant.h"
 #include "render/context.h"
 #include "render/renderer.h"
@@ -34,6 +36,8 @@ struct ExportOptions {
   std::optional<glm::dvec3> lod_eye_m;
   glm::ivec2 size_px{512, 512};
   int samples = 1;
+  std::optional<double> time_s;
+  StateOptions state;
 };
 
 struct Shot {
@@ -105,10 +109,13 @@ ExportedFile export_shot(const Shot& shot, const Camera& camera, const ExportOpt
 
 int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
   check_picture_budget(options.size_px, globals.max_memory_bytes);
-  const World world = open_world(options.folder, globals);
+  World world = open_world(options.folder, globals);
   const std::vector<Shot> shots = all_shots(chosen_tiles(options.tiles, world.meadow()), options);
 
   const double tallest_m = tallest_blade_m(world.meadow());  // once: it reads a whole map
+  load_asked_state(options.state, world);
+  advance_to_asked_time(options.time_s, world);
+  save_asked_state(options.state, world);
 
   const HeadlessContext context(globals.device);
   Renderer renderer(world, shader_folder());
@@ -116,14 +123,20 @@ int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
   ExportManifest manifest;
   manifest.scene_hash = world.scene_hash();
   manifest.seed = world.meadow().seed;
+  manifest.time_s = world.time_s();
   manifest.program_version = PRAIRIE_VERSION;
   manifest.renderer = renderer_name();
   manifest.width_px = options.size_px.x;
   manifest.height_px = options.size_px.y;
   {
     Progress progress("picture", shots.size(), globals.quiet);
+    std::optional<glm::dvec2> watched_m;
     for (const Shot& shot : shots) {
       const Camera camera = tile_camera(world.meadow(), tallest_m, shot.tile, shot.view, options.size_px);
+      // Anew, so that no picture depends on which others are made.
+      const glm::dvec2 place_m = watched_place_m(camera, world.meadow().ground);
+      if (watched_m != place_m) world.watch_anew(place_m);
+      watched_m = place_m;
       manifest.files.push_back(export_shot(shot, camera, options, globals, world, renderer));
       progress.advance();
     }
@@ -165,6 +178,8 @@ void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& ch
       ->type_name("TIER,…");
   add_size_option(*command, options->size_px);
   add_samples_option(*command, options->samples);
+  add_time_option(*command, options->time_s);
+  add_state_options(*command, options->state);
   command->footer(
       "Examples:\n"
       "  prairie export examples/meadow -o tiles\n"

@@ -21,6 +21,7 @@
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/usage_error.h"
+#include "app/state_options.h"
 #include "app/video_file.h"
 #include "app/world_time.h"
 #include "render/context.h"
@@ -40,7 +41,8 @@ struct RecordOptions {
   std::string camera = kDefaultCamera;
   std::filesystem::path path;  // of the file of a camera's path; none: the camera stands
   std::optional<double> duration_s;
-  double start_s = 0.0;
+  std::optional<double> start_s;
+  StateOptions state;
   int frames_per_s = 30;
   glm::ivec2 size_px{1280, 720};
   Tier tier = Tier::kAuto;
@@ -127,6 +129,9 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
     return placed_camera(path ? camera_at(*path, in_clip_s) : standing, world, options.size_px);
   };
 
+  load_asked_state(options.state, world);
+  advance_to_asked_time(options.start_s, world);
+  const double start_s = world.time_s();
   const HeadlessContext context(globals.device);
   Renderer renderer(world, shader_folder());
   clip.begin();
@@ -137,15 +142,21 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
     Progress progress("frame", static_cast<std::uint64_t>(frames), globals.quiet);
     for (int frame = 0; frame < frames; ++frame) {
       const Camera camera = camera_in_frame(frame);
-      const double time_s = options.start_s + static_cast<double>(frame) / options.frames_per_s;
-      if (frame == 0) advance_to(world, time_s);
-      world.motion().watch(watched_place_m(camera, world.meadow().ground));
-      advance_to(world, time_s);
+      const glm::dvec2 place_m = watched_place_m(camera, world.meadow().ground);
+      if (world.motion().is_watched()) {
+        world.motion().watch(place_m);
+      } else {
+        world.watch_anew(place_m);
+      }
+      advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
       clip.add(renderer.render(camera, look, options.samples));
       progress.advance();
     }
   }
   clip.finish();
+  // Of the frame that would come next.
+  advance_to(world, start_s + static_cast<double>(frames) / options.frames_per_s);
+  save_asked_state(options.state, world);
   say_done(fmt::format("{}: {} frames of {} × {} pixels, {} a second", options.output.string(), frames,
                        options.size_px.x, options.size_px.y, options.frames_per_s),
            globals.quiet);
@@ -190,12 +201,8 @@ void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& ch
           },
           "Frames a second (30)")
       ->type_name("N");
-  command
-      ->add_option_function<std::string>(
-          "--time",
-          [options](const std::string& text) { options->start_s = number_option("--time", text, 0.0, kLongestS); },
-          "The scene's time in the first frame, seconds (0)")
-      ->type_name("S");
+  add_time_option(*command, options->start_s);
+  add_state_options(*command, options->state);
   add_size_option(*command, options->size_px);
   add_tier_option(*command, options->tier);
   add_samples_option(*command, options->samples);

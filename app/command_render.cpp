@@ -13,6 +13,7 @@
 #include "app/outputs.h"
 #include "app/picture_file.h"
 #include "app/picture_options.h"
+#include "app/state_options.h"
 #include "app/world_time.h"
 #include "render/context.h"
 #include "render/renderer.h"
@@ -29,7 +30,8 @@ struct RenderOptions {
   std::optional<glm::dvec3> lod_eye_m;
   bool tier_tint = false;
   int samples = 1;
-  double time_s = 0.0;
+  std::optional<double> time_s;
+  StateOptions state;
 };
 
 int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
@@ -39,8 +41,10 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   World world = open_world(options.folder, globals);
   const Camera camera = placed_camera(camera_option(options.camera, world), world, options.size_px);
 
-  advance_to(world, options.time_s);
-  world.motion().watch_anew(watched_place_m(camera, world.meadow().ground));
+  load_asked_state(options.state, world);
+  advance_to_asked_time(options.time_s, world);
+  save_asked_state(options.state, world);
+  world.watch_anew(watched_place_m(camera, world.meadow().ground));
   const HeadlessContext context(globals.device);
   Renderer renderer(world, shader_folder());
   FrameOptions frame;
@@ -79,19 +83,16 @@ void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& ch
           "Tiers are chosen for an eye there, in metres (the camera's)")
       ->type_name("X,Y,Z");
   add_samples_option(*command, options->samples);
-  command
-      ->add_option_function<std::string>(
-          "--time",
-          [options](const std::string& text) { options->time_s = number_option("--time", text, 0.0, kMaxTimeS); },
-          "Seconds after the scene's beginning (0)")
-      ->type_name("S");
+  add_time_option(*command, options->time_s);
+  add_state_options(*command, options->state);
   command->add_flag("--tint", options->tier_tint,
                     "Colour tiers: spline blades red, Hermite blades yellow, strips green, flat blue");
   command->footer(
       "Examples:\n"
       "  prairie render examples/meadow -o meadow.png\n"
       "  prairie render examples/meadow -o low.png --camera 40,20,+0.5,30,-5 --size 1920x1080 --samples 8\n"
-      "  prairie render examples/meadow -o linear.exr --tier flat --set sun.elevation_deg=12");
+      "  prairie render examples/meadow -o linear.exr --tier flat --set sun.elevation_deg=12\n"
+      "  prairie render examples/meadow -o later.png --time 20 --save-state at20.state");
   command->callback([options, &globals, &chosen] {
     chosen = [options, &globals] { return render_picture(*options, globals); };
   });

@@ -20,6 +20,7 @@ std::string manifest_json(const ExportManifest& manifest) {
   // The hash as text: many readers keep numbers only up to 2^53.
   const nlohmann::ordered_json json{{"scene_hash", fmt::format("{:016x}", manifest.scene_hash)},
                                     {"seed", manifest.seed},
+                                    {"time_s", manifest.time_s},
                                     {"program_version", manifest.program_version},
                                     {"renderer", manifest.renderer},
                                     {"size_px", {manifest.width_px, manifest.height_px}},

@@ -24,6 +24,7 @@ struct ExportedFile {
 struct ExportManifest {
   std::uint64_t scene_hash = 0;
   std::uint64_t seed = 0;
+  double time_s = 0.0;  // of the scene, not of a clock
   std::string program_version;
   std::string renderer;
   int width_px = 0;

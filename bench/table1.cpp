@@ -55,7 +55,7 @@ class Column {
       : world_(parse_scene(text, ".", {}), {}), renderer_(world_, options.shader_folder) {
     camera_.eye_m = {kEyeM.x, kEyeM.y, 1.7};
     camera_.pitch_rad = -0.12;
-    world_.motion().watch_anew(kEyeM);
+    world_.watch_anew(kEyeM);
   }
 
   void step(int frame, const OffscreenTarget& target) {

@@ -1,10 +1,11 @@
-// A person's file before anything is read from it as an image: that it is a file at all, its size and its
-// hash.
+// A person's file before anything is made of its contents: that it is a file at all, its size, its hash, its bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace prairie {
 
@@ -16,5 +17,8 @@ struct InputFile {
 /// Throws BadInput where `path` is missing, unreadable, empty or not a file (`field` names the key that asked
 /// for it).
 InputFile inspect_input(const std::filesystem::path& path, const std::string& field);
+
+/// The whole file. Throws BadInput as inspect_input does, and where it is longer than `most_bytes`.
+std::vector<std::byte> read_input(const std::filesystem::path& path, const std::string& field, std::uint64_t most_bytes);
 
 }  // namespace prairie

@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "animation/blade_checks.h"
+#include "animation/range_check.h"
+#include "animation/tread_checks.h"
 #include "maps/error.h"
 #include "shaders/shared/layouts.h"
 #include "world/scene_wind.h"
@@ -84,7 +87,7 @@ void Motion::watch_anew(glm::dvec2 eye_m) {
   if (!blows()) return;
   sway_.emplace(species_, eye_m);
   for (std::int64_t n = kWarmUpSteps; n-- > 0;)
-    sway_->step(wind_, seconds(ticks_ - n * kWarmUpTicks), static_cast<float>(seconds(kWarmUpTicks)));
+    sway_->step(wind_, seconds_of(ticks_ - n * kWarmUpTicks), static_cast<float>(seconds_of(kWarmUpTicks)));
 }
 
 void Motion::watch(glm::dvec2 eye_m) {
@@ -98,11 +101,15 @@ Surroundings Motion::surroundings(const Meadow& meadow) const {
   return {meadow, traits_, wind_, treading_, sway_ ? &*sway_ : nullptr, time_s()};
 }
 
+void Motion::meet(const Meadow& meadow, std::span<const Solid> solids) {
+  if (eye_m_) touched_.meet(surroundings(meadow), solids, *eye_m_);
+}
+
 void Motion::step(const Meadow& meadow, std::int64_t ticks, std::span<const TreadStep> bodies,
                   std::span<const Solid> solids) {
-  treading_.step(bodies, seconds(ticks_ + ticks));
+  treading_.step(bodies, seconds_of(ticks_ + ticks));
   ticks_ += ticks;
-  const auto dt_s = static_cast<float>(seconds(ticks));
+  const auto dt_s = static_cast<float>(seconds_of(ticks));
   if (sway_) sway_->step(wind_, time_s(), dt_s);
   if (eye_m_) touched_.step(surroundings(meadow), solids, *eye_m_, dt_s);
 }
@@ -117,21 +124,37 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
   constexpr std::int64_t kMostTicks = kTicksPerS * std::int64_t{1'000'000'000};
   if (state.ticks < 0 || state.ticks > kMostTicks)
     throw BadInput("", "time", fmt::format("{} ticks", state.ticks), "not negative, at most 10⁹ seconds");
-  if (state.treading.time_s != seconds(state.ticks))
+  if (state.treading.time_s != seconds_of(state.ticks))
     throw BadInput("", "treading.time_s", fmt::format("{}", state.treading.time_s),
-                   fmt::format("{}, the state's", seconds(state.ticks)));
-  if (state.sway && !state.sway->motions.empty() &&
-      state.sway->motions.size() != layouts::kSwayLevels * species_.size() * layouts::kSwaySide * layouts::kSwaySide)
-    throw BadInput("", "sway", fmt::format("{} blades", state.sway->motions.size()), "those of this scene's species");
+                   fmt::format("{}, the state's", seconds_of(state.ticks)));
+  if (state.eye_m) {
+    check_range("eye_m", state.eye_m->x, -kFarthestM, kFarthestM, "metres");
+    check_range("eye_m", state.eye_m->y, -kFarthestM, kFarthestM, "metres");
+  } else if (state.sway || !state.touched.empty()) {
+    throw BadInput("", "eye_m", "moving blades without an eye", "an eye that watches them");
+  }
+  std::optional<Sway> sway;
+  if (state.sway) {
+    const std::size_t count = layouts::kSwayLevels * species_.size() * layouts::kSwaySide * layouts::kSwaySide;
+    if (state.sway->motions.size() != count)
+      throw BadInput("", "sway", fmt::format("{} blades", state.sway->motions.size()),
+                     fmt::format("{}, for this scene's species", count));
+    if (state.sway->centre_m != *state.eye_m) throw BadInput("", "sway.centre_m", "another place", "the eye's");
+    check_state(*state.sway);
+    sway.emplace(species_, *state.eye_m);
+    sway->restore(*state.sway, wind_, seconds_of(state.ticks));
+  }
+  TouchedBlades touched;
+  touched.restore(state.touched, meadow);
   treading_.restore(std::move(state.treading));
+
+  // From here on nothing is refused.
   ticks_ = state.ticks;
   eye_m_ = state.eye_m;
-  sway_.reset();
-  if (state.sway) {
-    sway_.emplace(species_, state.sway->centre_m);
-    sway_->restore(*state.sway, wind_, time_s());
-  }
-  touched_.restore(state.touched, surroundings(meadow));
+  sway_ = std::move(sway);
+  touched_ = std::move(touched);
+  if (eye_m_ && !sway_) watch_anew(*eye_m_);  // in case that by now it blows
+  touched_.pose(surroundings(meadow));
 }
 
 }  // namespace prairie

@@ -20,12 +20,17 @@ namespace prairie {
 /// Whole numbers of ticks make all usual frame rates, so that times do not depend on how they were reached.
 inline constexpr std::int64_t kTicksPerS = 705'600'000;
 
-/// All that changes but the camera's wake, which belongs to a person at a window; plain data.
+inline double seconds_of(std::int64_t ticks) {
+  return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
+}
+
+/// All that changes but the camera's wake and winds that were spawned or set, which belong to a person at a window; plain
+/// data.
 struct MotionState {
   std::int64_t ticks = 0;
   TreadState treading;
   std::optional<glm::dvec2> eye_m;  // if one watches
-  std::optional<SwayState> sway;    // if there is wind, too
+  std::optional<SwayState> sway;    // around the eye, if there is wind, too
   TouchedState touched;
 };
 
@@ -35,7 +40,8 @@ class Motion {
   Motion(const Scene& scene, const Meadow& meadow);
 
   std::int64_t ticks() const { return ticks_; }
-  double time_s() const { return seconds(ticks_); }
+  double time_s() const { return seconds_of(ticks_); }
+  bool is_watched() const { return eye_m_.has_value(); }
   const Wind& wind() const { return wind_; }
   const Treading& treading() const { return treading_; }
   /// Nothing in still air, or as long as nobody watches.
@@ -56,6 +62,9 @@ class Motion {
   /// The eye has moved.
   void watch(glm::dvec2 eye_m);
 
+  /// What stands in the grass has stood there before the eye came.
+  void meet(const Meadow& meadow, std::span<const Solid> solids);
+
   /// Moves everything on by so many ticks while bodies make their steps; afterwards solids lie where they lie.
   void step(const Meadow& meadow, std::int64_t ticks, std::span<const TreadStep> bodies, std::span<const Solid> solids);
 
@@ -64,9 +73,6 @@ class Motion {
   void restore(const Meadow& meadow, MotionState state);
 
  private:
-  static double seconds(std::int64_t ticks) {
-    return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
-  }
   bool blows() const;
   Surroundings surroundings(const Meadow& meadow) const;
 

@@ -12,6 +12,7 @@
 #include "world/camera_placement.h"
 #include "world/scene_hash.h"
 #include "world/scene_wind.h"
+#include "world/state_file.h"
 
 namespace prairie {
 namespace {
@@ -91,6 +92,16 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
 
+void World::watch_anew(glm::dvec2 eye_m) {
+  motion_->watch_anew(eye_m);
+  std::vector<Solid> solids;
+  for (const Mover& mover : movers_) {
+    const std::vector<Solid> solid = solids_of(mover.path(), mover.place(meadow_.ground, time_s()));
+    solids.insert(solids.end(), solid.begin(), solid.end());
+  }
+  motion_->meet(meadow_, solids);
+}
+
 void World::step(double dt_s) {
   assert(dt_s > 0.0);
   const auto ticks = std::max(std::llround(dt_s * static_cast<double>(kTicksPerS)), 1ll);
@@ -107,6 +118,20 @@ void World::step(double dt_s) {
     solids.insert(solids.end(), solid.begin(), solid.end());
   }
   motion_->step(meadow_, ticks, bodies, solids);
+}
+
+std::vector<std::byte> World::saved_state() const {
+  return state_bytes(motion_->state(), {scene_hash_, scene_.treading});
+}
+
+void World::load_state(std::span<const std::byte> bytes, const std::string& file) {
+  MotionState state = parse_state(bytes, {scene_hash_, scene_.treading}, file);
+  try {
+    motion_->restore(meadow_, std::move(state));
+  } catch (const BadInput& fault) {
+    // What moves knows no files.
+    throw BadInput(file, fault.field, fault.found, fault.expected);
+  }
 }
 
 }  // namespace prairie

@@ -1,8 +1,10 @@
 // The assembled prairie: scene, ground and maps in memory, and the state that time moves. No OpenGL.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,14 +40,22 @@ class World {
   /// As the scene has them, in its order.
   const std::vector<Mover>& movers() const { return movers_; }
 
-  /// What time moves. `watch` and `watch_anew` tell it where the eye is; without one nothing is simulated that only an eye
-  /// would see.
+  /// What time moves. `watch` tells it where the eye is; without one nothing is simulated that only an eye would see.
   const Motion& motion() const { return *motion_; }
   Motion& motion() { return *motion_; }
+
+  /// An eye above that place looks for the first time (Motion::watch_anew), at blades that its movers have bent aside.
+  void watch_anew(glm::dvec2 eye_m);
 
   /// Advances the world, its movers included, by a step of more than zero and at most a tenth of a second.
   void step(double dt_s);
   double time_s() const { return motion_->time_s(); }
+
+  /// What time has moved, as the bytes of a state file (world/state_file.h). Throws OverBudget if those are too many.
+  std::vector<std::byte> saved_state() const;
+  /// Goes on from such bytes. Throws BadInput, which names `file`, and changes nothing, if they are not a state of this
+  /// scene.
+  void load_state(std::span<const std::byte> bytes, const std::string& file);
 
  private:
   Scene scene_;

@@ -89,6 +89,7 @@ TEST(BadTreadsTest, RefusesBadStates) {
   refused([](TreadState& state) { state.nodes.touch({0, 0}).direction.x = 1e9f; }, "direction");
   refused([](TreadState& state) { state.wear.touch({0, 0}) = 1.5f; }, "wear");
   refused([](TreadState& state) { state.nodes = NodeField<TreadNode>(0.25); }, "spacing_m");
+  refused([](TreadState& state) { state.nodes.touch_page({1 << 30, 0}); }, "page");
 }
 
 TEST(BadTreadsTest, RefusesBadWear) {

@@ -171,7 +171,8 @@ TEST(TouchedBlades, AreTheSameForAnyNumberOfThreadsAndAfterARestore) {
       if (!restored || step != 40) continue;
       const TouchedState state = rolling.blades.state();
       rolling.blades = TouchedBlades();
-      rolling.blades.restore(state, rolling.around());
+      rolling.blades.restore(state, rolling.meadow);
+      rolling.blades.pose(rolling.around());
     }
     return rolling.blades.state();
   };
