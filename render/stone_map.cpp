@@ -26,12 +26,16 @@ StoneMap paint_stone_map(const std::filesystem::path& shader_folder, glm::vec3 m
   const GlProgram program = make_program(shader_folder, {"pass/screen.vert", "pass/stone_map.frag"});
   const GlVertexArray no_vertices = make_vertex_array();
   const GlFramebuffer framebuffer = make_framebuffer();
+  GLint bound = 0;
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
   StoneMap map{make_map(), make_map()};
   glNamedFramebufferTexture(framebuffer.get(), GL_COLOR_ATTACHMENT0, map.albedo.get(), 0);
   glNamedFramebufferTexture(framebuffer.get(), GL_COLOR_ATTACHMENT1, map.surface.get(), 0);
   const std::array<GLenum, 2> targets{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
   glNamedFramebufferDrawBuffers(framebuffer.get(), static_cast<GLsizei>(targets.size()), targets.data());
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.get());
   glViewport(0, 0, kSide, kSide);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
@@ -42,6 +46,9 @@ StoneMap paint_stone_map(const std::filesystem::path& shader_folder, glm::vec3 m
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glGenerateTextureMipmap(map.albedo.get());
   glGenerateTextureMipmap(map.surface.get());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  glEnable(GL_DEPTH_TEST);
   return map;
 }
 

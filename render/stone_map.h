@@ -13,7 +13,7 @@ struct StoneMap {
   GlTexture surface;  // normal and depth of dents
 };
 
-/// Leaves the bound framebuffer, viewport and program changed.
+/// Leaves depth test on, and program and vertex array changed.
 StoneMap paint_stone_map(const std::filesystem::path& shader_folder, glm::vec3 mean_albedo);
 
 }  // namespace prairie

@@ -7,7 +7,6 @@
 #include "lod/thinning.h"
 #include "render/shader_program.h"
 #include "render/strip_texture.h"
-#include "render/tip_share.h"
 
 namespace prairie {
 namespace {

@@ -10,13 +10,15 @@
 #include "render/moving_program.h"
 #include "render/stream_buffer.h"
 #include "render/texel_view.h"
+#include "render/tip_share.h"
 
 namespace prairie {
 
 /// What the strips of a species are like.
 struct StripTraits {
   float standing_share = 0.0f;  // of the texture's height: up to where blades stand
-  float tip_share = 1.0f;       // how far wind moves its tips by how far it moves the virtual blade's (render/tip_share.h)
+  float reserved = 0.0f;        // fills the texel
+  TipShare tip_share;           // how far wind moves its tips
 };
 
 class StripPass {
@@ -50,7 +52,7 @@ class StripPass {
   GlBuffer far_indices_;
   TexelView tiles_{GL_RGBA32UI};
   TexelView species_{GL_RGBA32F};
-  TexelView traits_{GL_RG32F};
+  TexelView traits_{GL_RGBA32F};
   Run near_;
   Run far_;
   std::uint64_t triangles_ = 0;

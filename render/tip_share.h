@@ -6,7 +6,13 @@
 
 namespace prairie {
 
-/// Mean over the species' blades and all directions of the wind, of displacements along it as shares of lengths.
-float tip_share(const SpeciesParams& species);
+/// Tips move by (still + bent · t) t where the virtual one moves by t, as shares of lengths.
+struct TipShare {
+  float still = 1.0f;
+  float bent = 0.0f;
+};
+
+/// Means over the species' blades and all directions of the wind.
+TipShare tip_share(const SpeciesParams& species);
 
 }  // namespace prairie

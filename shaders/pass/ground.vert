@@ -77,12 +77,10 @@ void main() {
   depth_per_leaf_area = sward_optical_depth(view, 1.0);
   float leaf_area = leaf_area_of(textureLod(flat_map, flat_map_place(from_eye_m), log2(patch_params.quad_m / flat_texel_m())).a);
   float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
+  sward_radiance = sward_color(kMix, view, leaf_area * depth_per_leaf_area, shade);
 #ifdef MOVING
-  SwardView leaning = sward_view(leaning_normal(normalize(normal), lean_at(from_eye_m.xy)), to_eye);
-#else
-  SwardView leaning = view;
+  sward_radiance *= leaning_light(normalize(normal), lean_at(from_eye_m.xy));
 #endif
-  sward_radiance = sward_color(kMix, leaning, leaf_area * depth_per_leaf_area, shade);
   standing = standing_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);

@@ -171,10 +171,10 @@ void main() {
   vec3 to_eye_from_seen = frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m);
   SwardView view = sward_view(normal, to_eye_from_seen);
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
-#ifdef MOVING
-  view = sward_view(leaning_normal(normal, lean), to_eye_from_seen);
-#endif
   vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
+#ifdef MOVING
+  mean_radiance *= leaning_light(normal, lean);
+#endif
 
   GrownBlade grown = GrownBlade(midrib, drawn.eye_from_tile_m, to_eye, width_m, root_color, tip_color, species.transmission,
                                 species.specular, shade, ground_n_dot_v, mean_radiance, own_share);

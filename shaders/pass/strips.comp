@@ -20,8 +20,7 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #endif
 
 layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
-layout(binding = 1) uniform samplerBuffer strip_traits;  // by species: share of the texture's height that stands; how far the
-                                                       // tips of its blades move by how far the virtual blade's does
+layout(binding = 1) uniform samplerBuffer strip_traits;  // StripTraits (render/strip_pass.h), by species
 layout(std430, binding = 4) writeonly buffer StripVertices { uvec4 vertices[]; };  // StripVertex
 layout(location = 0) uniform uint column_count;
 layout(location = 1) uniform uint first_tile;
@@ -36,12 +35,10 @@ uint radiance_at(vec3 from_eye_m, vec3 normal, vec2 lean, float density_per_m2, 
   vec3 to_eye = normalized(-from_eye_m);
   SwardView view = sward_view(normal, to_eye);
   float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * blade_height);
+  vec3 color = sward_color(1 + int(species), view, optical_depth, shade_of(density_per_m2, frame.shade_density_per_m2));
 #ifdef MOVING
-  SwardView leaning = sward_view(leaning_normal(normal, lean), to_eye);
-#else
-  SwardView leaning = view;
+  color *= leaning_light(normal, lean);
 #endif
-  vec3 color = sward_color(1 + int(species), leaning, optical_depth, shade_of(density_per_m2, frame.shade_density_per_m2));
   float crossing = min(height_m * (abs(to_eye.x) + abs(to_eye.y)) / (view.sin_elevation * frame.tile_m), 1.0f);
   color = mix(color, litter_radiance(frame.mean_albedo), (1.0f - crossing) * exp(-optical_depth));
   return pack_radiance(hazed(tinted_tier(color * color_factor, kStripTint), haze_at(from_eye_m)));
@@ -82,12 +79,13 @@ void main() {
   vec4 west_m = uintBitsToFloat(texelFetch(tile_texels, first + 7));
   vec3 normal = normalized(vec3(south_m.x - east_m.x, south_m.x - west_m.x, side_m));
   float blade_height = uintBitsToFloat(b.y);
-  vec2 traits = texelFetch(strip_traits, int(species_index)).xy;
+  vec4 traits = texelFetch(strip_traits, int(species_index));
   float standing = traits.x;
   float height_m = standing * species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
 #ifdef MOVING
   Swaying swaying = swaying_at(foot_m.xy, species_index);
-  vec3 upward = vec3(0.0f, 0.0f, 1.0f) + traits.y * swayed_tip(swaying);
+  vec3 swayed = swayed_tip(swaying);
+  vec3 upward = vec3(0.0f, 0.0f, 1.0f) + (traits.z + traits.w * length(swayed.xy)) * swayed;
   vec2 lean = upward.xy;
 #ifdef TRODDEN
   Pressing pressing = pressing_at(foot_m.xy);

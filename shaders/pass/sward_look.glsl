@@ -45,6 +45,13 @@ vec3 sward_color(int layer, SwardView view, float optical_depth, float shade) {
   return mix(textureLod(sward_free, place, 0.0).rgb, textureLod(sward_shaded, place, 0.0).rgb, shade);
 }
 
-// A sward that leans, by `lean` as a share of its blades' length (east, north), looks as one that stands upright on ground tilted
-// so far would.
-vec3 leaning_normal(vec3 ground_normal, vec2 lean) { return normalized(ground_normal + vec3(lean, 0.0)); }
+// How much brighter a sward is that leans, by `lean` as a share of its blades' length (east, north), than when it stood upright.
+// Sides of leaves lie evenly around their blade, so that the sun shines on them by the sine of its angle to the blade; the rest
+// of the light comes from all around.
+const float kSunOfSward = 0.75;
+
+float leaning_light(vec3 ground_normal, vec2 lean) {
+  float upright = inner(ground_normal, frame.sun_direction);
+  float leaning = inner(normalized(ground_normal + vec3(lean, 0.0)), frame.sun_direction);
+  return 1.0 + kSunOfSward * (sqrt((1.05 - leaning * leaning) / (1.05 - upright * upright)) - 1.0);
+}
