@@ -19,7 +19,7 @@ constexpr std::array<double, 2> kLeastRadiusPx{120.0, 24.0};
 constexpr float kRoundestEdgeM = 0.02f;
 constexpr glm::vec3 kStoneAlbedo(0.17f, 0.162f, 0.15f);
 // By shape.
-constexpr std::array<const char*, 3> kShapeDefines{"STONE", "BOARDS", "WHEEL"};
+constexpr std::array<const char*, 3> kShapeDefines{"", "BOARDS", "WHEEL"};
 
 // The lowest point, as seen from the centre.
 float lowest_m(const DrawnSolid& solid) {
@@ -114,8 +114,12 @@ struct SolidPass::Device {
 
   GLuint program(std::size_t shape) {
     if (programs[shape].get() == 0) {
-      programs[shape] = make_program(folder, {"pass/solid.vert", "pass/solid.frag"}, {kShapeDefines[shape]});
-      if (shape == layouts::kSolidSphere) stone = paint_stone_map(folder, kStoneAlbedo);
+      if (shape == layouts::kSolidSphere) {
+        programs[shape] = make_program(folder, {"pass/boulder.vert", "pass/boulder.frag"});
+        stone = paint_stone_map(folder, kStoneAlbedo);
+      } else {
+        programs[shape] = make_program(folder, {"pass/solid.vert", "pass/solid.frag"}, {kShapeDefines[shape]});
+      }
     }
     return programs[shape].get();
   }

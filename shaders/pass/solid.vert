@@ -1,12 +1,8 @@
 #version 450 core
-// A vertex of something solid: of the mesh that all of its shape share, put where the thing is. A rough sphere is dented
-// here, inwards only, so that what treads the grass as a sphere is nowhere drawn outside it.
+// A vertex of something made of wood: of the mesh that all of its shape share, put where the thing is.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/solid_table.glsl"
-#ifdef STONE
-#include "shaders/pass/stone_look.glsl"
-#endif
 
 layout(location = 0) uniform uint first_solid;
 
@@ -22,9 +18,6 @@ void main() {
   solid_index = first_solid + uint(gl_InstanceID);
   SolidParams solid = solids[solid_index];
   in_body_m = place * (solid.half_size_m - solid.edge_m) + solid.edge_m * facing;
-#ifdef STONE
-  if (solid.outline_roughness > 0.0) in_body_m *= 1.0 - solid.outline_roughness * stone_dent_at(place, solid.seed);
-#endif
   body_normal = facing;
   from_eye_m = solid.centre_from_eye_m + scene_from_body(solid) * in_body_m;
   gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);

@@ -12,17 +12,8 @@ vec3 turned_by_seed(vec3 v, uint seed) {
   return cycle == 0u ? v : (cycle == 1u ? v.yzx : v.zxy);
 }
 
-vec3 turned_back(vec3 v, uint seed) {
-  uint turn = seed % 12u;
-  uint cycle = turn / 4u;
-  v = cycle == 0u ? v : (cycle == 1u ? v.zxy : v.yzx);
-  vec3 signs = vec3((turn & 1u) == 0u ? 1.0 : -1.0, (turn & 2u) == 0u ? 1.0 : -1.0, 1.0);
-  signs.z = signs.x * signs.y;
-  return v * signs;
-}
-
 // How deep the surface lies under the sphere, 0 to 1.
-float stone_dent_at(vec3 direction, uint seed) { return textureLod(stone_surface_map, octahedral_place(turned_by_seed(direction, seed)), 0.0).w; }
+float stone_dent_at(vec3 on_map) { return textureLod(stone_surface_map, octahedral_place(on_map), 0.0).w; }
 
 // The level of the maps for a stone of that radius. The square is four radii wide in the mean; its folds have no derivatives.
 float stone_level(float radius_m, float pixel_m) {

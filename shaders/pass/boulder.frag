@@ -1,0 +1,28 @@
+#version 450 core
+// The surface of a boulder (shaders/pass/stone.glsl), in the light of sun, sky and the sward around. Alpha is the cover, and no
+// grass grows on it.
+#include "shaders/pass/layouts.glsl"
+#include "shaders/pass/frame_block.glsl"
+#include "shaders/pass/haze.glsl"
+#include "shaders/pass/solid_table.glsl"
+#include "shaders/pass/solid_light.glsl"
+#include "shaders/pass/stone_look.glsl"
+
+layout(location = 0) in vec3 on_map;
+layout(location = 1) in vec4 haze_color_and_share;
+layout(location = 2) in vec2 sky_and_sun;
+layout(location = 3) in float level;
+layout(location = 4) flat in vec3 sun_on_map;
+layout(location = 5) flat in vec3 up_on_map;
+layout(location = 0) out vec4 color;
+
+void main() {
+  vec2 place = octahedral_place(on_map);
+  vec3 albedo = 0.5 * textureLod(stone_albedo_map, place, level).rgb;
+  vec3 normal = normalize(textureLod(stone_surface_map, place, level).xyz - 0.5);
+  vec3 light = solid_light(dot(normal, up_on_map), dot(normal, sun_on_map), sky_and_sun);
+  Haze haze;
+  haze.color = haze_color_and_share.rgb;
+  haze.share = haze_color_and_share.a;
+  color = vec4(hazed(albedo * light, haze), 0.0);
+}
