@@ -18,6 +18,7 @@ constexpr double kMostTurnRad = 0.4;
 constexpr double kAllowedDepthM = 0.5e-3;
 constexpr double kLookCloserM = 20e-3;  // more than a curve can near an edge between two of its points
 constexpr double kUnseenM = 2e-3;
+constexpr double kMostStretched = 1.25;  // a segment of a curve that is sharply bent, by its share of the length
 
 glm::dquat rotation_of(glm::dvec3 vector) {
   const double angle = glm::length(vector);
@@ -89,7 +90,12 @@ class BentBlade {
     };
     constexpr double kSpacing = 1.0 / (kSegments * kPointsPerSegment);
     std::array<double, kSegments> depth{};
+    std::array<double, kSegments + 1> at_joint_m;
+    for (int i = 0; i <= kSegments; ++i) at_joint_m[i] = distance_m(0.25 * i);
+    const double segment_m = 0.25 * kMostStretched * static_cast<double>(blade_.height_m * growth_);
     for (int i = 0; i < kSegments; ++i) {
+      // No distance changes by more than the way.
+      if (at_joint_m[i] + at_joint_m[i + 1] > segment_m) continue;
       double nearest = 0.0, least_m = 1e30;
       for (int n = i == 0 ? 1 : 0; n <= kPointsPerSegment; ++n) {
         const double u = 0.25 * i + n * kSpacing, here_m = distance_m(u);

@@ -56,12 +56,27 @@ class PageNodes {
     return low + (high - low) * square.north;
   }
 
+  /// Of four places, aside of the middle both ways.
+  glm::vec4 mean_around(glm::dvec2 middle_m, double aside_m) const {
+    glm::vec4 sum(0.0f);
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)})
+      sum += sample(middle_m + aside_m * corner);
+    return 0.25f * sum;
+  }
+
+  bool holds_some() const { return side_ > 0; }
+
  private:
   double spacing_m_ = 0.0;
   int side_ = 0;
   NodeIndex south_west_;
   std::vector<glm::vec4> nodes_;
 };
+
+// How far from its middle a texel samples: not at all where nodes are no closer than texels.
+double aside_m_of(int level, double spacing_m) {
+  return texel_m(level) <= spacing_m ? 0.0 : 0.25 * texel_m(level);
+}
 
 // The texels whose middles lie in [low, high) along an axis.
 struct Range {
@@ -97,8 +112,9 @@ void TreadWindow::paint_page(const Treading& treading, PageIndex page) {
     const double most_m = fade_end_m(half_m), start_m = fade_start_m(half_m);
     const glm::dvec2 nearest_m = glm::clamp(centre_m_, low_m, low_m + side_m) - centre_m_;
     if (std::max(std::abs(nearest_m.x), std::abs(nearest_m.y)) >= most_m) continue;
-    const double aside_m = size_m <= spacing_m ? 0.0 : 0.25 * size_m;
-    nodes.read(treading, page, 2 + static_cast<int>(std::ceil(aside_m / spacing_m)));
+    const double aside_m = aside_m_of(level, spacing_m);
+    if (!nodes.holds_some())
+      nodes.read(treading, page, 2 + static_cast<int>(std::ceil(aside_m_of(layouts::kTreadLevels - 1, spacing_m) / spacing_m)));
     // Texels beside the page are reached by its outermost nodes.
     const Range rows = middles_in(low_m.y - spacing_m, low_m.y + side_m, size_m);
     const Range columns = middles_in(low_m.x - spacing_m, low_m.x + side_m, size_m);
@@ -108,9 +124,7 @@ void TreadWindow::paint_page(const Treading& treading, PageIndex page) {
         const glm::dvec2 away_m = glm::abs(middle_m - centre_m_);
         const double distance_m = std::max(away_m.x, away_m.y);
         if (distance_m >= most_m) continue;
-        glm::vec4 tread(0.0f);
-        for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)})
-          tread += 0.25f * nodes.sample(middle_m + aside_m * corner);
+        glm::vec4 tread = aside_m > 0.0 ? nodes.mean_around(middle_m, aside_m) : nodes.sample(middle_m);
         const bool is_last = level + 1 == layouts::kTreadLevels;
         if (is_last && distance_m > start_m)
           tread *= static_cast<float>((most_m - distance_m) / (most_m - start_m));

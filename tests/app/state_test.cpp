@@ -56,6 +56,22 @@ path_m = [[5, 6], [12, 7]]
   const std::string scene_ = (folder_ / "scene").string();
 };
 
+TEST_F(States, AClipGoesOn) {
+  const auto record = [&](const std::string& folder, const std::vector<std::string>& more) {
+    return run({"record", scene_, "-o", path(folder), "--size", "96x64", "--fps", "24"}, more).exit_code;
+  };
+  ASSERT_EQ(record("whole", {"--duration", "0.5"}), 0);
+  ASSERT_EQ(record("first", {"--duration", "0.25", "--save-state", path("clip.state")}), 0);
+  ASSERT_EQ(record("second", {"--duration", "0.25", "--load-state", path("clip.state"), "--threads", "1"}), 0);
+  for (int frame = 0; frame < 6; ++frame) {
+    const std::string name = "/frame-0000" + std::to_string(frame) + ".png";
+    EXPECT_EQ(bytes("first" + name), bytes("whole" + name)) << frame;
+    const std::string later = frame + 6 < 10 ? "/frame-0000" + std::to_string(frame + 6) + ".png"
+                                             : "/frame-000" + std::to_string(frame + 6) + ".png";
+    EXPECT_EQ(bytes("second" + name), bytes("whole" + later)) << frame;
+  }
+}
+
 TEST_F(States, RenderGoesOn) {
   ASSERT_EQ(render("whole.png", {"--time", "2", "--save-state", path("whole.state")}).exit_code, 0);
   const Outcome half = render("half.png", {"--time", "1", "--save-state", path("half.state")});
