@@ -1,7 +1,6 @@
 #include "animation/touched_blades.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -122,32 +121,31 @@ StandingBlade TouchedBlades::standing(const Surroundings& around, CellId id, con
 }
 
 void TouchedBlades::swing(const Surroundings& around, float dt_s) {
-  for (auto& [id, patch] : patches_) {
-    std::vector<TouchedBlade>& touched = patch.touched;
+  std::vector<std::pair<CellId, Patch*>> patches;
+  for (auto& [id, patch] : patches_) patches.emplace_back(id, &patch);
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t at) {
+    auto [id, patch] = patches[at];
+    std::vector<TouchedBlade>& touched = patch->touched;
+    patch->standing.resize(touched.size());
+    if (touched.empty()) return;
     InertialChains chains(touched.size());
-    const CellId cell = id;
-    Patch& here = patch;
-    here.standing.resize(touched.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touched.size(), ChainBlock::kBlades), [&](const auto& range) {
-      for (std::size_t n = range.begin(); n < range.end(); ++n) {
-        TouchedBlade& blade = touched[n];
-        const StandingBlade& now = here.standing[n] = standing(around, cell, here, blade.index);
-        keep_in_place(blade.rest, now.rest, blade.motion.turn);
-        blade.rest = now.rest;
-        ChainTraits traits = *now.species;
-        // The same wind bends stiff and soft blades of a species alike, as it does in the virtual model.
-        traits.drag *= now.blade.stiffness / traits.stiffness;
-        traits.stiffness = now.blade.stiffness;
-        traits.half_segment_m = now.blade.height_m / 8.0f;
-        chains.plant(n, now.rest, traits);
-        chains.set_motion(n, blade.motion);
-        chains.set_wind(n, glm::vec3(wind_m_per_s(around.wind, now.place_m, around.time_s), 0.0f));
-      }
-    });
-    if (touched.empty()) continue;
+    for (std::size_t n = 0; n < touched.size(); ++n) {
+      TouchedBlade& blade = touched[n];
+      const StandingBlade& now = patch->standing[n] = standing(around, id, *patch, blade.index);
+      keep_in_place(blade.rest, now.rest, blade.motion.turn);
+      blade.rest = now.rest;
+      ChainTraits traits = *now.species;
+      // The same wind bends stiff and soft blades of a species alike, as it does in the virtual model.
+      traits.drag *= now.blade.stiffness / traits.stiffness;
+      traits.stiffness = now.blade.stiffness;
+      traits.half_segment_m = now.blade.height_m / 8.0f;
+      chains.plant(n, now.rest, traits);
+      chains.set_motion(n, blade.motion);
+      chains.set_wind(n, glm::vec3(wind_m_per_s(around.wind, now.place_m, around.time_s), 0.0f));
+    }
     chains.step(dt_s);
     for (std::size_t n = 0; n < touched.size(); ++n) touched[n].motion = chains.motion(n);
-  }
+  });
 }
 
 namespace {
@@ -156,6 +154,28 @@ bool lies_under(std::span<const Solid> solids, glm::vec3 root_m) {
   return std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) {
     return separation(solid, glm::dvec3(root_m)).distance_m < kUnderM;
   });
+}
+
+/// Bends a blade out of all solids; whether any touched it.
+bool is_bent(std::span<const Solid> solids, const StandingBlade& now, TouchedBlade& blade) {
+  TouchedBlade bent = blade;
+  const auto bend = [&] {
+    bool is_touched = false;
+    for (const Solid& solid : solids)
+      is_touched |= bend_out(solid, now.blade, now.curve, 1.0f, now.normal, bent.motion, bent.rise);
+    return is_touched;
+  };
+  if (lies_under(solids, now.curve.base_m)) bent.rise = std::min(bent.rise, 0.0f);
+  if (!bend()) return false;
+  if (bent.rise > 0.0f) {
+    // What lies beneath gives way, too.
+    bent.rise = 0.0f;
+    bend();
+  }
+  bent.near_steps = 0;
+  bent.fades = 0;
+  blade = bent;
+  return true;
 }
 
 }  // namespace
@@ -183,69 +203,58 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
     }
   }
   for (auto& [id, patch] : patches_) patch.is_near = false;
+  struct Meeting {
+    CellId id;
+    Patch* patch;
+    std::span<const Solid* const> objects;
+  };
+  std::vector<Meeting> meetings;
   for (const auto& [id, objects] : near) {
     Patch& patch = patch_at(around.meadow, id);
     patch.is_near = true;
-    const glm::dvec3 base_m = tile_base(around.meadow, id.tile);
-    std::vector<Solid> local;  // in the tile's frame
-    for (const Solid* solid : objects) local.push_back(moved(*solid, -base_m));
-    constexpr std::size_t kUnknown = ~std::size_t{0};
-    std::vector<std::size_t> known(patch.blades.size(), kUnknown);
-    for (std::size_t n = 0; n < patch.touched.size(); ++n) known[patch.touched[n].index] = n;
-    struct Found {
-      TouchedBlade blade;
-      StandingBlade standing;
-    };
-    std::vector<std::optional<Found>> found(patch.blades.size());
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(patch.blades.size()), 32), [&](const auto& range) {
-      for (std::uint32_t index = range.begin(); index != range.end(); ++index) {
-        const Blade& blade = patch.blades[index];
-        const glm::dvec3 root_m(blade.root_m, blade.ground_m);
-        const auto length_m = static_cast<double>(blade.height_m);
-        const bool may_touch = std::any_of(local.begin(), local.end(), [&](const Solid& solid) {
-          return separation(solid, root_m).distance_m < length_m;
-        });
-        if (!may_touch) continue;
-        StandingBlade now;
-        TouchedBlade bent;
-        if (known[index] != kUnknown) {
-          bent = patch.touched[known[index]];
-          now = patch.standing[known[index]];
-        } else {
-          now = standing(around, id, patch, index);
-          bent.index = index;
-          bent.rest = now.rest;
-          bent.motion.turn = now.virtual_turn;
-          bent.rise = now.least_rise;
-        }
-        if (lies_under(local, now.curve.base_m)) bent.rise = std::min(bent.rise, 0.0f);
-        const auto bend = [&] {
-          bool is_touched = false;
-          for (const Solid& solid : local)
-            is_touched |= bend_out(solid, now.blade, now.curve, 1.0f, now.normal, bent.motion, bent.rise);
-          return is_touched;
-        };
-        if (!bend()) continue;
-        if (bent.rise > 0.0f) {
-          // What lies beneath gives way, too.
-          bent.rise = 0.0f;
-          bend();
-        }
-        bent.near_steps = 0;
-        bent.fades = 0;
-        found[index] = Found{bent, now};
-      }
-    });
-    std::vector<TouchedBlade> touched;
-    std::vector<StandingBlade> standing_now;
-    for (std::uint32_t index = 0; index < found.size(); ++index) {
-      if (!found[index] && known[index] == kUnknown) continue;
-      touched.push_back(found[index] ? found[index]->blade : patch.touched[known[index]]);
-      standing_now.push_back(found[index] ? found[index]->standing : patch.standing[known[index]]);
-    }
-    patch.touched = std::move(touched);
-    patch.standing = std::move(standing_now);
+    meetings.push_back({id, &patch, objects});
   }
+  tbb::parallel_for(std::size_t{0}, meetings.size(), [&](std::size_t n) {
+    touch_patch(around, meetings[n].id, *meetings[n].patch, meetings[n].objects);
+  });
+}
+
+void TouchedBlades::touch_patch(const Surroundings& around, CellId id, Patch& patch,
+                                std::span<const Solid* const> objects) const {
+  const glm::dvec3 base_m = tile_base(around.meadow, id.tile);
+  std::vector<Solid> local;  // in the tile's frame
+  for (const Solid* solid : objects) local.push_back(moved(*solid, -base_m));
+  std::vector<TouchedBlade> touched;
+  std::vector<StandingBlade> standings;
+  auto known = patch.touched.begin();
+  for (std::uint32_t index = 0; index < patch.blades.size(); ++index) {
+    const bool is_known = known != patch.touched.end() && known->index == index;
+    const Blade& blade = patch.blades[index];
+    const glm::dvec3 root_m(blade.root_m, blade.ground_m);
+    const auto length_m = static_cast<double>(blade.height_m);
+    const bool may_touch = std::any_of(local.begin(), local.end(), [&](const Solid& solid) {
+      return separation(solid, root_m).distance_m < length_m;
+    });
+    if (!may_touch && !is_known) continue;
+    StandingBlade now;
+    TouchedBlade bent;
+    if (is_known) {
+      now = patch.standing[static_cast<std::size_t>(known - patch.touched.begin())];
+      bent = *known++;
+    } else {
+      now = standing(around, id, patch, index);
+      bent.index = index;
+      bent.rest = now.rest;
+      bent.motion.turn = now.virtual_turn;
+      bent.rise = now.least_rise;
+    }
+    if ((may_touch && is_bent(local, now, bent)) || is_known) {
+      touched.push_back(bent);
+      standings.push_back(now);
+    }
+  }
+  patch.touched = std::move(touched);
+  patch.standing = std::move(standings);
 }
 
 void TouchedBlades::hand_over(float dt_s) {

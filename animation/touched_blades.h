@@ -85,6 +85,7 @@ class TouchedBlades {
   Patch& patch_at(const Meadow& meadow, CellId id);
   void swing(const Surroundings& around, float dt_s);
   void touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m);
+  void touch_patch(const Surroundings& around, CellId id, Patch& patch, std::span<const Solid* const> objects) const;
   void hand_over(float dt_s);
   void make_chains();
 

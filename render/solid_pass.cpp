@@ -15,7 +15,7 @@ namespace {
 
 // Spheres of 5120, 1280 and 320 triangles; each less than half a pixel off at the radius down to which it is drawn.
 constexpr std::array<int, 3> kSphereSubdivisions{4, 3, 2};
-constexpr std::array<double, 2> kLeastRadiusPx{120.0, 24.0};
+constexpr std::array<double, 2> kLeastRadiusPx{180.0, 45.0};
 constexpr float kRoundestEdgeM = 0.02f;
 constexpr glm::vec3 kStoneAlbedo(0.17f, 0.162f, 0.15f);
 // By shape.
