@@ -178,5 +178,23 @@ TEST(World, StepsTime) {
   EXPECT_EQ(world.time_s(), 0.5);
 }
 
+DrivenMover stone_at(const World& world, glm::dvec2 contact_m) {
+  DrivenMover stone;
+  stone.place = stone_place(world.meadow().ground, stone.radius_m, contact_m, {1.0, 0.0}, 0.0);
+  stone.before = stone.place;
+  return stone;
+}
+
+TEST(World, WhatIsDrivenTreadsItsWay) {
+  World world(parse_scene(testing::kPlainScene, "folder", {}), {});
+  world.driven().push_back(stone_at(world, {5.0, 5.0}));
+  world.step(1.0 / 30.0);
+  world.driven()[0].place = stone_at(world, {6.0, 5.0}).place;
+  world.step(1.0 / 30.0);
+  EXPECT_EQ(world.driven()[0].before.contact_m, glm::dvec2(6.0, 5.0));
+  EXPECT_GT(world.motion().treading().sample({5.5, 5.0}).tilt_rad, 0.5f);
+  EXPECT_EQ(world.motion().treading().sample({9.0, 5.0}).tilt_rad, 0.0f);
+}
+
 }  // namespace
 }  // namespace prairie
