@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "maps/error.h"
 #include "shaders/shared/layouts.h"
@@ -68,14 +70,32 @@ void Motion::spawn(const WindPrimitive& primitive) {
   std::erase_if(wind_.primitives, [&](const WindPrimitive& old) { return end_s(old) < time_s(); });
   if (wind_.primitives.size() >= kMostPrimitives) wind_.primitives.erase(wind_.primitives.begin());
   wind_.primitives.push_back(primitive);
-  if (eye_m_ && !sway_) watch_anew(*eye_m_);
+  begin_to_sway();
 }
 
 void Motion::set_wind(const MeanWind& mean, const std::optional<NoiseWind>& noise) {
   wind_.mean = mean;
   wind_.noise = noise;
   has_wind_ = true;
-  if (eye_m_ && !sway_) watch_anew(*eye_m_);
+  begin_to_sway();
+}
+
+void Motion::begin_to_sway() {
+  if (eye_m_ && !sway_) sway_.emplace(species_, *eye_m_);
+}
+
+void Motion::wake(bool stirs) {
+  wind_.wake.reset();
+  if (stirs) wind_.wake.emplace(CameraWakeSettings{});
+}
+
+// Grass in calm air has nothing to sway in until the eye first moves.
+void Motion::stir() {
+  if (!wind_.wake || !eye_m_) return;
+  wind_.wake->step(*eye_m_, time_s());
+  if (sway_) return;
+  const std::vector<glm::vec2>& velocities = wind_.wake->state().velocities_m_per_s;
+  if (std::ranges::any_of(velocities, [](glm::vec2 velocity) { return velocity != glm::vec2(0.0f); })) begin_to_sway();
 }
 
 void Motion::watch_anew(glm::dvec2 eye_m) {
@@ -83,8 +103,10 @@ void Motion::watch_anew(glm::dvec2 eye_m) {
   sway_.reset();
   if (!blows()) return;
   sway_.emplace(species_, eye_m);
+  const std::optional<CameraWake> wake = std::exchange(wind_.wake, std::nullopt);  // of another time and place
   for (std::int64_t n = kWarmUpSteps; n-- > 0;)
     sway_->step(wind_, seconds(ticks_ - n * kWarmUpTicks), static_cast<float>(seconds(kWarmUpTicks)));
+  wind_.wake = wake;
 }
 
 void Motion::watch(glm::dvec2 eye_m) {
@@ -103,6 +125,7 @@ void Motion::step(const Meadow& meadow, std::int64_t ticks, std::span<const Trea
   treading_.step(bodies, seconds(ticks_ + ticks));
   ticks_ += ticks;
   const auto dt_s = static_cast<float>(seconds(ticks));
+  stir();
   if (sway_) sway_->step(wind_, time_s(), dt_s);
   if (eye_m_) touched_.step(surroundings(meadow), solids, *eye_m_, dt_s);
 }
@@ -126,6 +149,7 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
   treading_.restore(std::move(state.treading));
   ticks_ = state.ticks;
   eye_m_ = state.eye_m;
+  wake(false);
   sway_.reset();
   if (state.sway) {
     sway_.emplace(species_, state.sway->centre_m);

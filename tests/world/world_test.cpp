@@ -196,5 +196,22 @@ TEST(World, WhatIsDrivenTreadsItsWay) {
   EXPECT_EQ(world.motion().treading().sample({9.0, 5.0}).tilt_rad, 0.0f);
 }
 
+TEST(World, TheEyesWakeStirsCalmAir) {
+  World world(parse_scene(testing::kPlainScene, "folder", {}), {});
+  Motion& motion = world.motion();
+  motion.watch({5.0, 5.0});
+  motion.wake(true);
+  world.step(1.0 / 30.0);
+  EXPECT_TRUE(motion.is_still()) << "nothing has moved";
+  for (int n = 1; n <= 10; ++n) {
+    motion.watch({5.0 + 0.2 * n, 5.0});
+    world.step(1.0 / 30.0);
+  }
+  ASSERT_TRUE(motion.sway());
+  EXPECT_GT(motion.sway()->mean_tip({8.0, 5.0}).x, 0.001f);
+  motion.restore(world.meadow(), World(parse_scene(testing::kPlainScene, "folder", {}), {}).motion().state());
+  EXPECT_FALSE(motion.wind().wake) << "earlier than what was stirred up";
+}
+
 }  // namespace
 }  // namespace prairie
