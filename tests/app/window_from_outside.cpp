@@ -34,6 +34,21 @@ void WindowFromOutside::resize(unsigned width_px, unsigned height_px) {
   XSync(display_, False);
 }
 
+void WindowFromOutside::press(unsigned long symbol) {
+  XEvent event{};
+  event.xkey.display = display_;
+  event.xkey.window = window_;
+  event.xkey.root = DefaultRootWindow(display_);
+  event.xkey.same_screen = True;
+  event.xkey.keycode = XKeysymToKeycode(display_, symbol);
+  for (const int type : {KeyPress, KeyRelease}) {
+    event.xkey.type = type;
+    event.xkey.time = time_ms_ += 100;
+    XSendEvent(display_, window_, False, type == KeyPress ? KeyPressMask : KeyReleaseMask, &event);
+  }
+  XSync(display_, False);
+}
+
 void WindowFromOutside::close() {
   XEvent event{};
   event.xclient.type = ClientMessage;
