@@ -22,7 +22,8 @@ constexpr float kSliderWidthPx = 150.0f;
 constexpr const char* kKeys =
     "WASD QE shift: move   drag: turn   F: walk/fly   Esc: end\n"
     "T: tier   G: tint tiers   - =: quality   M: smooth edges   F12: picture   H: hide\n"
-    "P: pause   N: step   [ ] , . ; ': wind   B: gust   V: tornado   R: stone   C: cart   O: fields";
+    "P: pause   N: step   [ ] , . ; ': wind   B: gust   V: tornado\n"
+    "R: stone   C: cart   O: fields";
 constexpr const char* kCartKeys = "arrows: drive the cart";
 
 void line(const std::string& text) {

@@ -32,7 +32,8 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr unsigned long kEscape = 0xff1b;  // X's symbol, whose header defines macros
+// X's symbols, whose header defines macros.
+constexpr unsigned long kEscape = 0xff1b, kLeft = 0xff51, kUp = 0xff52;
 
 double cpu_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -132,6 +133,21 @@ TEST_F(ViewerTest, ACartIsTakenAndLeft) {
   ASSERT_EQ(world.driven().size(), 1u);
   EXPECT_EQ(world.driven()[0].kind, MoverKind::kCart);
   EXPECT_TRUE(after_keys({'c', 'n', 'c', 'n'}).driven().empty());
+}
+
+TEST_F(ViewerTest, ArrowKeysDriveTheCart) {
+  World world(read_scene(folder_ / "scene", {}), {});
+  ViewerOptions options;
+  options.paused = true;
+  view(world, options, [](testing::WindowFromOutside& window) {
+    window.hold(kUp);
+    window.hold(kLeft);
+    for (const char key : std::string("cnnnnnnnnnnnnnnn")) window.press(static_cast<unsigned long>(key));
+  });
+  ASSERT_EQ(world.driven().size(), 1u);
+  const DrivenMover& cart = world.driven()[0];
+  EXPECT_GT(cart.rolled_m, 0.1);
+  EXPECT_LT(cart.place.forward.x, -1e-3) << "to the left of north";
 }
 
 TEST_F(ViewerTest, WindGustsAndTornadoes) {
