@@ -81,7 +81,7 @@ class ViewerTest : public ::testing::Test {
       testing::WindowFromOutside window;
       ASSERT_TRUE(window.is_there());
       disturb(window);
-      window.close();
+      if (!ends_itself_) window.close();
     });
     view_world(world, camera, options);
   }
@@ -107,6 +107,7 @@ class ViewerTest : public ::testing::Test {
   }
 
   const testing::TemporaryFolder folder_;
+  bool ends_itself_ = false;  // what is done to the window closes it
 };
 
 TEST_F(ViewerTest, TimePassesUnlessItPauses) {
@@ -172,6 +173,7 @@ TEST_F(ViewerTest, OverlaysChangeThePicture) {
 }
 
 TEST_F(ViewerTest, EscapeEndsIt) {
+  ends_itself_ = true;
   World world(read_scene(folder_ / "scene", {}), {});
   view(world, {}, [](testing::WindowFromOutside& window) { window.press(kEscape); });
 }
