@@ -50,50 +50,19 @@ glm::dmat3 axes_on(glm::dvec2 slope, glm::dvec2 forward) {
   return {ahead, glm::cross(up, ahead), up};
 }
 
-/// Rolled about the axis to the left, on the ground's slope, without slipping along a level way; being seen
-/// from above, the way up a slope is a little shorter than what the stone rolls over.
-void put_stone(const HeightField& ground, double radius_m, double rolled_m, MoverPlace& place) {
-  const glm::dmat3 rest = axes_on(glm::dvec2(ground.slope(place.contact_m)), place.forward);
-  const glm::dvec3 contact_m(place.contact_m, static_cast<double>(ground.height_m(place.contact_m)));
-  const double turns = rolled_m / radius_m * kTurnsPerRad;
-  const double sine = sine_of_turns(turns), cosine = sine_of_turns(turns + 0.25);
-  // The kernels' sine is good to 4e-7; a mean over both keeps the columns unit vectors.
-  const double length = std::sqrt(sine * sine + cosine * cosine);
-  const double s = sine / length, c = cosine / length;
-  place.centre_m = contact_m + radius_m * rest[2];
-  place.axes = {c * rest[0] - s * rest[2], rest[1], s * rest[0] + c * rest[2]};
-}
-
-/// On the plane that fits best the ground below its four wheels.
-void put_cart(const HeightField& ground, double half_width_m, MoverPlace& place) {
-  const glm::dvec2 wheel_m = half_width_m * kWheelPlace;
-  const glm::dvec2 left = left_of(place.forward);
-  double mean_m = 0.0, rise = 0.0, roll = 0.0;  // along the way and to its left, per metre
-  for (const glm::dvec2 corner : kCorners) {
-    const glm::dvec2 at_m =
-        place.contact_m + corner.x * wheel_m.x * place.forward + corner.y * wheel_m.y * left;
-    const double z_m = static_cast<double>(ground.height_m(at_m));
-    mean_m += 0.25 * z_m;
-    rise += 0.25 * corner.x * z_m / wheel_m.x;
-    roll += 0.25 * corner.y * z_m / wheel_m.y;
-  }
-  place.axes = axes_on(rise * place.forward + roll * left, place.forward);
-  place.centre_m = glm::dvec3(place.contact_m, mean_m) + kBoxRise * half_width_m * place.axes[2];
-}
-
 /// The middles of a cart's wheels.
-std::array<glm::dvec3, 4> wheels_of(const MoverPath& mover, const MoverPlace& place) {
+std::array<glm::dvec3, 4> wheels_of(double half_width_m, const MoverPlace& place) {
   std::array<glm::dvec3, 4> wheels_m;
   for (std::size_t n = 0; n < kCorners.size(); ++n) {
     const glm::dvec3 from_middle(kCorners[n] * kWheelPlace, -kBoxHalfSize.z);
-    wheels_m[n] = place.centre_m + place.axes * (mover.radius_m * from_middle);
+    wheels_m[n] = place.centre_m + place.axes * (half_width_m * from_middle);
   }
   return wheels_m;
 }
 
 /// Below the lowest place of a wheel.
-glm::dvec2 print_of(const MoverPath& mover, const MoverPlace& place, glm::dvec3 wheel_m) {
-  return glm::dvec2(wheel_m - kWheelRadius * mover.radius_m * place.axes[2]);
+glm::dvec2 print_of(double half_width_m, const MoverPlace& place, glm::dvec3 wheel_m) {
+  return glm::dvec2(wheel_m - kWheelRadius * half_width_m * place.axes[2]);
 }
 
 }  // namespace
@@ -120,38 +89,67 @@ MoverPlace Mover::place(const HeightField& ground, double time_s) const {
   const double rolled_m = path_.speed_m_per_s * std::max(time_s - path_.start_s, 0.0);
   const double way_m = path_.loops ? rolled_m : std::min(rolled_m, way_.length_m());
   const PathPlace at = way_.at(way_m);
-  MoverPlace place;
-  place.contact_m = at.position_m;
-  place.forward = at.forward;
-  if (path_.kind == MoverKind::kStone) {
-    put_stone(ground, path_.radius_m, way_m, place);
-  } else {
-    put_cart(ground, path_.radius_m, place);
-  }
-  return place;
+  if (path_.kind == MoverKind::kStone)
+    return stone_place(ground, path_.radius_m, at.position_m, at.forward, way_m);
+  return cart_place(ground, path_.radius_m, at.position_m, at.forward);
 }
 
-std::vector<Solid> solids_of(const MoverPath& mover, const MoverPlace& place) {
-  if (mover.kind == MoverKind::kStone) return {Sphere{place.centre_m, mover.radius_m}};
-  std::vector<Solid> solids{Box{place.centre_m, place.axes, mover.radius_m * kBoxHalfSize}};
-  const glm::dvec3 half_axle_m = kWheelHalfAxle * mover.radius_m * place.axes[1];
-  for (const glm::dvec3 wheel_m : wheels_of(mover, place))
-    solids.push_back(Capsule{wheel_m - half_axle_m, wheel_m + half_axle_m, kWheelRadius * mover.radius_m});
+// Rolled about the axis to the left, on the ground's slope, without slipping along a level way; being seen from above, the
+// way up a slope is a little shorter than what the stone rolls over.
+MoverPlace stone_place(const HeightField& ground, double radius_m, glm::dvec2 contact_m, glm::dvec2 forward,
+                       double rolled_m) {
+  const glm::dmat3 rest = axes_on(glm::dvec2(ground.slope(contact_m)), forward);
+  const glm::dvec3 on_ground_m(contact_m, static_cast<double>(ground.height_m(contact_m)));
+  const double turns = rolled_m / radius_m * kTurnsPerRad;
+  const double sine = sine_of_turns(turns), cosine = sine_of_turns(turns + 0.25);
+  // The kernels' sine is good to 4e-7; a mean over both keeps the columns unit vectors.
+  const double length = std::sqrt(sine * sine + cosine * cosine);
+  const double s = sine / length, c = cosine / length;
+  const glm::dmat3 axes(c * rest[0] - s * rest[2], rest[1], s * rest[0] + c * rest[2]);
+  return {on_ground_m + radius_m * rest[2], axes, contact_m, forward};
+}
+
+// On the plane that fits best the ground below its four wheels.
+MoverPlace cart_place(const HeightField& ground, double half_width_m, glm::dvec2 contact_m, glm::dvec2 forward) {
+  const glm::dvec2 wheel_m = half_width_m * kWheelPlace;
+  const glm::dvec2 left = left_of(forward);
+  double mean_m = 0.0, rise = 0.0, roll = 0.0;  // along the way and to its left, per metre
+  for (const glm::dvec2 corner : kCorners) {
+    const glm::dvec2 at_m = contact_m + corner.x * wheel_m.x * forward + corner.y * wheel_m.y * left;
+    const double z_m = static_cast<double>(ground.height_m(at_m));
+    mean_m += 0.25 * z_m;
+    rise += 0.25 * corner.x * z_m / wheel_m.x;
+    roll += 0.25 * corner.y * z_m / wheel_m.y;
+  }
+  const glm::dmat3 axes = axes_on(rise * forward + roll * left, forward);
+  return {glm::dvec3(contact_m, mean_m) + kBoxRise * half_width_m * axes[2], axes, contact_m, forward};
+}
+
+double cart_wheelbase_m(double half_width_m) {
+  return 2.0 * kWheelPlace.x * half_width_m;
+}
+
+std::vector<Solid> solids_of(MoverKind kind, double radius_m, const MoverPlace& place) {
+  if (kind == MoverKind::kStone) return {Sphere{place.centre_m, radius_m}};
+  std::vector<Solid> solids{Box{place.centre_m, place.axes, radius_m * kBoxHalfSize}};
+  const glm::dvec3 half_axle_m = kWheelHalfAxle * radius_m * place.axes[1];
+  for (const glm::dvec3 wheel_m : wheels_of(radius_m, place))
+    solids.push_back(Capsule{wheel_m - half_axle_m, wheel_m + half_axle_m, kWheelRadius * radius_m});
   return solids;
 }
 
-std::vector<TreadStep> tread_steps(const MoverPath& mover, const MoverPlace& from, const MoverPlace& to,
+std::vector<TreadStep> tread_steps(MoverKind kind, double radius_m, const MoverPlace& from, const MoverPlace& to,
                                    std::uint32_t first_id) {
-  if (mover.kind == MoverKind::kStone) {
-    const double radius_m = std::clamp(kStonesContact * mover.radius_m, kLeastTreadM, kMostTreadM);
-    return {{first_id, from.contact_m, to.contact_m, radius_m, kStonesWeight}};
+  if (kind == MoverKind::kStone) {
+    const double tread_m = std::clamp(kStonesContact * radius_m, kLeastTreadM, kMostTreadM);
+    return {{first_id, from.contact_m, to.contact_m, tread_m, kStonesWeight}};
   }
   std::vector<TreadStep> steps;
-  const std::array<glm::dvec3, 4> from_m = wheels_of(mover, from), to_m = wheels_of(mover, to);
-  const double radius_m = 0.12 * mover.radius_m + 0.03;
+  const std::array<glm::dvec3, 4> from_m = wheels_of(radius_m, from), to_m = wheels_of(radius_m, to);
+  const double tread_m = 0.12 * radius_m + 0.03;
   for (std::uint32_t n = 0; n < kTreadIdsPerMover; ++n)
     steps.push_back(
-        {first_id + n, print_of(mover, from, from_m[n]), print_of(mover, to, to_m[n]), radius_m, 1.0});
+        {first_id + n, print_of(radius_m, from, from_m[n]), print_of(radius_m, to, to_m[n]), tread_m, 1.0});
   return steps;
 }
 

@@ -84,7 +84,11 @@ glm::dvec2 MeanWind::drift_m(double time_s) const {
     const double passed_s = until_s - times_s_[next - 1];
     return drifts_m_[next - 1] + 0.5 * passed_s * (velocities_[next - 1] + series_velocity(until_s));
   };
-  return from_first(time_s) - from_first(0.0);
+  return followed_m_ + from_first(time_s) - from_first(0.0);
+}
+
+void MeanWind::follow(const MeanWind& before, double time_s) {
+  followed_m_ += before.drift_m(time_s) - drift_m(time_s);
 }
 
 }  // namespace prairie

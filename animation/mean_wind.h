@@ -30,7 +30,10 @@ class MeanWind {
 
   glm::dvec2 velocity_m_per_s(glm::dvec2 position_m, double time_s) const;
 
-  /// How far the wind of the series' place has blown since time 0: ∫ velocity dt.
+  /// Takes the place of another wind at a time: what drifts with it goes on from where that has brought it.
+  void follow(const MeanWind& before, double time_s);
+
+  /// How far the wind of the series' place has blown since time 0: ∫ velocity dt; or what it followed and then it.
   glm::dvec2 drift_m(double time_s) const;
 
  private:
@@ -42,6 +45,7 @@ class MeanWind {
   std::vector<glm::dvec2> drifts_m_;
   glm::dvec2 place_m_{0.0};
   glm::dvec2 delay_s_per_m_{0.0};
+  glm::dvec2 followed_m_{0.0};
 };
 
 }  // namespace prairie

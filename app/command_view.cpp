@@ -21,7 +21,7 @@ struct ViewCommandOptions {
 };
 
 int view(const ViewCommandOptions& options, const GlobalOptions& globals) {
-  const World world = open_world(options.folder, globals);
+  World world = open_world(options.folder, globals);
   const Camera start = placed_camera(camera_option(options.camera, world), world, options.size_px);
   ViewerOptions viewer = options.viewer;
   viewer.memory_budget_bytes = globals.max_memory_bytes;
@@ -32,7 +32,7 @@ int view(const ViewCommandOptions& options, const GlobalOptions& globals) {
 }  // namespace
 
 void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("view", "Opens a window to fly over the meadow and walk through it");
+  CLI::App* command = app.add_subcommand("view", "Opens a window to fly over the moving meadow, walk through it and play with it");
   auto options = std::make_shared<ViewCommandOptions>();
   command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
   command
@@ -51,6 +51,7 @@ void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chos
           "How grass is drawn: auto, spline, hermite, strip or flat (auto)")
       ->type_name("TIER");
   command->add_flag("--msaa", options->viewer.msaa, "Smooth edges with 4 samples per pixel");
+  command->add_flag("--paused", options->viewer.paused, "Time stands still at first; P lets it go on");
   // For tests, and for whoever wants a picture of what the window shows.
   command
       ->add_option_function<std::string>(
@@ -66,6 +67,10 @@ void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       "walking\n"
       "and flying, T between tiers, G tints them, M smooths edges; - and = lower and raise the quality;\n"
       "F12 saves prairie-0001.png, …; H hides the text; Esc ends.\n"
+      "P pauses time and N steps it once meanwhile; [ and ] change the wind's speed, comma and full stop its\n"
+      "heading, ; and ' its turbulence; B sends a gust, V a tornado; R lets a stone roll; C takes a cart, which\n"
+      "the arrow keys drive, or leaves it; O shows the wind as arrows, then trodden grass as heat, then how far\n"
+      "it is from having risen.\n"
       "Examples:\n"
       "  prairie view examples/meadow\n"
       "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080");

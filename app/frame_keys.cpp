@@ -24,6 +24,20 @@ Tier next_tier(Tier tier) {
   return Tier::kAuto;
 }
 
+FieldOverlay next_overlay(FieldOverlay overlay) {
+  switch (overlay) {
+    case FieldOverlay::kNone:
+      return FieldOverlay::kWind;
+    case FieldOverlay::kWind:
+      return FieldOverlay::kTilt;
+    case FieldOverlay::kTilt:
+      return FieldOverlay::kRecovery;
+    case FieldOverlay::kRecovery:
+      break;
+  }
+  return FieldOverlay::kNone;
+}
+
 Quality stepped(Quality quality, int steps) {
   return static_cast<Quality>(std::clamp(static_cast<int>(quality) + steps, static_cast<int>(Quality::kLow),
                                          static_cast<int>(Quality::kHigh)));
@@ -43,10 +57,27 @@ const char* quality_name(Quality quality) {
   return "high";
 }
 
+const char* overlay_name(FieldOverlay overlay) {
+  switch (overlay) {
+    case FieldOverlay::kNone:
+      break;
+    case FieldOverlay::kWind:
+      return "wind";
+    case FieldOverlay::kTilt:
+      return "trodden grass";
+    case FieldOverlay::kRecovery:
+      return "recovery and wear";
+  }
+  return "none";
+}
+
 void apply_frame_key(int key, FrameOptions& options) {
   switch (key) {
     case GLFW_KEY_T:
       options.tier = next_tier(options.tier);
+      break;
+    case GLFW_KEY_O:
+      options.field_overlay = next_overlay(options.field_overlay);
       break;
     case GLFW_KEY_G:
       options.tier_tint = !options.tier_tint;

@@ -1,5 +1,7 @@
 #include "app/overlay.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
@@ -19,7 +21,10 @@ constexpr float kBackgroundOpacity = 0.6f;  // readable before a white sky
 constexpr float kSliderWidthPx = 150.0f;
 constexpr const char* kKeys =
     "WASD QE shift: move   drag: turn   F: walk/fly   Esc: end\n"
-    "T: tier   G: tint tiers   - =: quality   M: smooth edges   F12: picture   H: hide";
+    "T: tier   G: tint tiers   - =: quality   M: smooth edges   F12: picture   H: hide\n"
+    "P: pause   N: step   [ ] , . ; ': wind   B: gust   V: tornado\n"
+    "R: stone   C: cart   O: fields";
+constexpr const char* kCartKeys = "arrows: drive the cart";
 
 void line(const std::string& text) {
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -54,6 +59,35 @@ void quality_slider(Quality& quality) {
   quality = static_cast<Quality>(step);
 }
 
+void wind_sliders(WindControls& wind) {
+  constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  ImGui::SetNextItemWidth(kSliderWidthPx);
+  ImGui::SliderFloat("wind", &wind.speed_m_per_s, 0.0f, WindControls::kMostSpeedMPerS, "%.1f m/s", kFlags);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(kSliderWidthPx);
+  ImGui::SliderFloat("towards", &wind.heading_deg, 0.0f, 360.0f, "%.0f deg", kFlags);
+  ImGui::SetNextItemWidth(kSliderWidthPx);
+  ImGui::SliderFloat("turbulence", &wind.turbulence, 0.0f, WindControls::kMostTurbulence, "%.2f", kFlags);
+}
+
+/// The key whose button was pressed, or 0.
+int key_buttons(const OverlayText& text) {
+  int pressed = 0;
+  const auto button = [&](const char* name, int key) {
+    if (ImGui::SmallButton(name)) pressed = key;
+    ImGui::SameLine();
+  };
+  button(text.paused ? "go on" : "pause", GLFW_KEY_P);
+  if (text.paused) button("step", GLFW_KEY_N);
+  button("gust", GLFW_KEY_B);
+  button("tornado", GLFW_KEY_V);
+  button("stone", GLFW_KEY_R);
+  button("fields", GLFW_KEY_O);
+  button(text.has_cart ? "leave cart" : "cart", GLFW_KEY_C);
+  ImGui::NewLine();
+  return pressed;
+}
+
 }  // namespace
 
 Overlay::Overlay(GLFWwindow* window) {
@@ -71,7 +105,7 @@ Overlay::~Overlay() {
   ImGui::DestroyContext();
 }
 
-void Overlay::draw(const OverlayText& text, Quality& quality) {
+int Overlay::draw(const OverlayText& text, OverlaySliders& sliders) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
@@ -87,11 +121,18 @@ void Overlay::draw(const OverlayText& text, Quality& quality) {
   line(fmt::format("{}   {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}", text.walks ? "walking" : "flying",
                    text.camera.eye_m.x, text.camera.eye_m.y, text.camera.eye_m.z,
                    glm::degrees(text.camera.yaw_rad), glm::degrees(text.camera.pitch_rad)));
-  quality_slider(quality);
+  line(fmt::format("{:.2f} s{}   step {:.1f} ms   {} blades touched", text.time_s, text.paused ? ", paused" : "",
+                   text.steps_ms, grouped(text.touched_blades)));
+  quality_slider(sliders.quality);
+  wind_sliders(sliders.wind);
+  const int pressed = key_buttons(text);
+  if (text.field != FieldOverlay::kNone) line(fmt::format("field: {}", overlay_name(text.field)));
   line(text.notice.empty() ? kKeys : text.notice);
+  if (text.has_cart) line(kCartKeys);
   ImGui::End();
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  return pressed;
 }
 
 bool Overlay::wants_mouse() const {

@@ -1,9 +1,11 @@
-// The viewer's text over the picture: times, blades and triangles per tier, position; and a slider for the
-// quality (Dear ImGui).
+// The viewer's text over the picture: times, blades and triangles per tier, position; sliders for the quality and the wind,
+// and buttons that stand for keys (Dear ImGui).
 #pragma once
 
+#include <cstddef>
 #include <string>
 
+#include "app/wind_controls.h"
 #include "lod/camera.h"
 #include "lod/quality.h"
 #include "render/renderer.h"
@@ -19,7 +21,18 @@ struct OverlayText {
   bool walks = false;
   std::string tier;
   bool tinted = false;
+  double time_s = 0.0;
+  bool paused = false;
+  std::size_t touched_blades = 0;  // that move by themselves
+  double steps_ms = 0.0;           // of the last frame
+  bool has_cart = false;
+  FieldOverlay field = FieldOverlay::kNone;
   std::string notice;  // such as the name of the last screenshot
+};
+
+struct OverlaySliders {
+  Quality quality = Quality::kMedium;
+  WindControls wind;
 };
 
 class Overlay {
@@ -30,8 +43,9 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// Draws into the window's framebuffer; `quality` follows the slider.
-  void draw(const OverlayText& text, Quality& quality);
+  /// Draws into the window's framebuffer; `sliders` follow the mouse. Returns the key (GLFW's code) whose button was pressed,
+  /// or 0.
+  int draw(const OverlayText& text, OverlaySliders& sliders);
 
   /// Whether the mouse is on the overlay, or was when its button went down.
   bool wants_mouse() const;

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/fly_camera.h"
 #include "app/frame_keys.h"
@@ -17,6 +19,7 @@
 #include "app/outputs.h"
 #include "app/overlay.h"
 #include "app/picture_file.h"
+#include "app/play.h"
 #include "app/screenshot_name.h"
 #include "app/window.h"
 #include "maps/error.h"
@@ -41,8 +44,8 @@ struct Stage {
 
 class Viewer {
  public:
-  Viewer(const World& world, const Camera& start, const ViewerOptions& options)
-      : world_(world), options_(options), fly_camera_(start, world.meadow().ground) {
+  Viewer(World& world, const Camera& start, const ViewerOptions& options)
+      : world_(world), options_(options), fly_camera_(start, world.meadow().ground), play_(world, options.paused) {
     frame_options_.tier = options.tier;
     frame_options_.msaa = options.msaa;
     frame_options_.quality = world.scene().lod.quality;
@@ -53,7 +56,8 @@ class Viewer {
   void run() {
     auto last = std::chrono::steady_clock::now();
     int frames = 0;
-    while (frames != options_.frames && stage_->window.poll()) {
+    // Keys that were pressed before the window was closed still do what they do.
+    while (frames != options_.frames && (stage_->window.poll() || !keys_.empty())) {
       const auto now = std::chrono::steady_clock::now();
       const std::chrono::duration<double> passed = now - last;
       last = now;
@@ -63,6 +67,8 @@ class Viewer {
       fly_camera_.resize(stage_->window.framebuffer_size_px());
       fly_camera_.move(stage_->window.steering(mouse_is_taken), std::min(passed.count(), kLongestStepS),
                        world_.meadow().ground);
+      for (const int key : std::exchange(keys_, {})) press(key);
+      play_.advance(passed.count(), stage_->window.cart_controls(), fly_camera_.camera());
       try {
         draw();
         if (screenshot_wanted_) take_screenshot();
@@ -80,7 +86,8 @@ class Viewer {
  private:
   void raise_stage(glm::ivec2 size_px) {
     stage_.emplace(world_, size_px);
-    stage_->window.on_key = [this](int key) { press(key); };
+    // Later: what goes wrong with it must not be thrown through GLFW, which calls this.
+    stage_->window.on_key = [this](int key) { keys_.push_back(key); };
     drawn_on_this_stage_ = false;
   }
 
@@ -95,27 +102,38 @@ class Viewer {
 
   void draw() {
     const FrameStatistics statistics = stage_->renderer.draw(fly_camera_.camera(), frame_options_, 0);
-    if (overlay_shown_) {
-      OverlayText text;
-      text.frame_ms = frame_times_.median_ms();
-      text.statistics = statistics;
-      text.camera = fly_camera_.camera();
-      text.walks = fly_camera_.walks();
-      text.tier = tier_name(frame_options_.tier);
-      text.tinted = frame_options_.tier_tint;
-      text.notice = notice_;
-      stage_->overlay.draw(text, frame_options_.quality.value());
-    }
+    if (overlay_shown_) show_overlay(statistics);
     stage_->window.show_frame();
+  }
+
+  void show_overlay(const FrameStatistics& statistics) {
+    OverlayText text;
+    text.frame_ms = frame_times_.median_ms();
+    text.statistics = statistics;
+    text.camera = fly_camera_.camera();
+    text.walks = fly_camera_.walks();
+    text.tier = tier_name(frame_options_.tier);
+    text.tinted = frame_options_.tier_tint;
+    text.time_s = world_.time_s();
+    text.paused = play_.paused();
+    text.touched_blades = world_.motion().touched().size();
+    text.steps_ms = play_.steps_ms();
+    text.has_cart = play_.has_cart();
+    text.field = frame_options_.field_overlay;
+    text.notice = notice_;
+    OverlaySliders sliders{frame_options_.quality.value(), play_.wind()};
+    if (const int key = stage_->overlay.draw(text, sliders); key != 0) keys_.push_back(key);
+    frame_options_.quality = sliders.quality;
+    play_.set_wind(sliders.wind);
   }
 
   void press(int key) {
     notice_.clear();
     apply_frame_key(key, frame_options_);
+    play_.press(key, fly_camera_.camera());
     if (key == GLFW_KEY_ESCAPE) stage_->window.close();
     if (key == GLFW_KEY_F) fly_camera_.toggle_walking(world_.meadow().ground);
     if (key == GLFW_KEY_H) overlay_shown_ = !overlay_shown_;
-    // Later: what goes wrong with it must not be thrown through GLFW, which calls this.
     if (key == GLFW_KEY_F12) screenshot_wanted_ = true;
   }
 
@@ -137,21 +155,23 @@ class Viewer {
     write_output(name, encoded_picture(picture, PictureFormat::kPng));
   }
 
-  const World& world_;
+  World& world_;
   const ViewerOptions& options_;
   FlyCamera fly_camera_;
+  Play play_;
   FrameOptions frame_options_;
   FrameTimes frame_times_;
   std::optional<Stage> stage_;
   bool drawn_on_this_stage_ = false;
   bool overlay_shown_ = true;
   bool screenshot_wanted_ = false;
+  std::vector<int> keys_;  // pressed since the last frame
   std::string notice_;
 };
 
 }  // namespace
 
-void view_world(const World& world, const Camera& start, const ViewerOptions& options) {
+void view_world(World& world, const Camera& start, const ViewerOptions& options) {
   Viewer(world, start, options).run();
 }
 

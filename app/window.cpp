@@ -123,4 +123,8 @@ Steering Window::steering(bool mouse_is_taken) {
   return steering;
 }
 
+CartControls Window::cart_controls() const {
+  return {axis(handle_, GLFW_KEY_UP, GLFW_KEY_DOWN), axis(handle_, GLFW_KEY_LEFT, GLFW_KEY_RIGHT)};
+}
+
 }  // namespace prairie

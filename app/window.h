@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/vec2.hpp>
 
+#include "agents/driven_cart.h"
 #include "app/fly_camera.h"
 
 struct GLFWwindow;
@@ -38,6 +39,8 @@ class Window {
   /// What the held keys and the dragged mouse ask for since the last call. Where `mouse_is_taken`, by what
   /// lies over the picture, no new drag begins.
   Steering steering(bool mouse_is_taken);
+  /// What the held arrow keys ask of a cart.
+  CartControls cart_controls() const;
 
  private:
   struct Library {

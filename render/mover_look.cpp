@@ -28,12 +28,12 @@ double way_m(const Mover& mover, double time_s) {
   return path.loops ? way_m : std::min(way_m, mover.length_m());
 }
 
-DrawnSolid stone(const MoverPath& path, const MoverPlace& place) {
+DrawnSolid stone(double radius_m, const MoverPlace& place) {
   DrawnSolid solid;
   solid.shape = DrawnSolid::Shape::kSphere;
   solid.centre_m = place.centre_m;
   solid.axes = glm::mat3(place.axes);
-  solid.half_size_m = glm::vec3(static_cast<float>(path.radius_m));
+  solid.half_size_m = glm::vec3(static_cast<float>(radius_m));
   solid.albedo = kGranite;
   solid.roughness_of_outline = kStoneRoughness;
   return solid;
@@ -67,9 +67,8 @@ class CartParts {
   std::vector<DrawnSolid>& parts_;
 };
 
-void add_cart(const Mover& mover, const MoverPlace& place, const HeightField& ground, double time_s,
+void add_cart(double half_width_m, const MoverPlace& place, const HeightField& ground, double rolled_m,
               std::vector<DrawnSolid>& solids) {
-  const double half_width_m = mover.path().radius_m;
   const auto ground_m = static_cast<double>(ground.height_m(place.contact_m));
   CartParts cart(place, half_width_m, ground_m, solids);
   using enum DrawnSolid::Shape;
@@ -91,7 +90,7 @@ void add_cart(const Mover& mover, const MoverPlace& place, const HeightField& gr
   const double axle_z = kWheelRadius - drop;
   const double axle_x = kBoxHalf.x - kWheelRadius;
   const double wheel_y = kBoxHalf.y + kWheelHalf + 0.07;
-  const double angle = way_m(mover, time_s) / (kWheelRadius * half_width_m);
+  const double angle = rolled_m / (kWheelRadius * half_width_m);
   const double turn = std::fmod(angle, 2.0 * std::numbers::pi);
   const glm::dmat3 turned(std::cos(turn), 0.0, -std::sin(turn), 0.0, 1.0, 0.0, std::sin(turn), 0.0, std::cos(turn));
   for (const double along : {-axle_x, axle_x}) {
@@ -112,14 +111,18 @@ void add_cart(const Mover& mover, const MoverPlace& place, const HeightField& gr
 
 std::vector<DrawnSolid> drawn_movers(const World& world) {
   std::vector<DrawnSolid> solids;
-  for (const Mover& mover : world.movers()) {
-    const HeightField& ground = world.meadow().ground;
-    const MoverPlace place = mover.place(ground, world.time_s());
-    switch (mover.path().kind) {
-      case MoverKind::kStone: solids.push_back(stone(mover.path(), place)); break;
-      case MoverKind::kCart: add_cart(mover, place, ground, world.time_s(), solids); break;
+  const HeightField& ground = world.meadow().ground;
+  const auto add = [&](MoverKind kind, double radius_m, const MoverPlace& place, double rolled_m) {
+    switch (kind) {
+      case MoverKind::kStone: solids.push_back(stone(radius_m, place)); break;
+      case MoverKind::kCart: add_cart(radius_m, place, ground, rolled_m, solids); break;
     }
+  };
+  for (const Mover& mover : world.movers()) {
+    add(mover.path().kind, mover.path().radius_m, mover.place(ground, world.time_s()), way_m(mover, world.time_s()));
   }
+  for (const DrivenMover& driven : world.driven())
+    add(driven.kind, driven.radius_m, driven.place, driven.rolled_m);
   for (std::size_t n = 0; n < solids.size(); ++n) solids[n].seed = static_cast<std::uint32_t>(n);
   return solids;
 }

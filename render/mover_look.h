@@ -9,7 +9,7 @@
 
 namespace prairie {
 
-/// Of all movers, where they are at the world's time.
+/// Of all movers, where they are at the world's time, and after them of all driven ones.
 std::vector<DrawnSolid> drawn_movers(const World& world);
 
 }  // namespace prairie

@@ -9,6 +9,7 @@
 
 #include "lod/planner.h"
 #include "render/blade_pass.h"
+#include "render/field_overlay_pass.h"
 #include "render/graphics_reset.h"
 #include "render/gpu_timer.h"
 #include "render/ground_pass.h"
@@ -70,6 +71,7 @@ struct Renderer::Passes {
         strips(shader_folder),
         solids(shader_folder),
         sky(shader_folder),
+        field_overlay(shader_folder),
         tone_program(make_program(shader_folder, {"pass/screen.vert", "pass/tone.frag"})),
         no_vertices(make_vertex_array()) {
     frame = frame_params(the_world, FramePlan{}, GroundLook{}, FieldLook{});
@@ -120,6 +122,7 @@ struct Renderer::Passes {
     strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();
     solids.prepare(stream, drawn_movers(*world), plan.camera);
+    field_overlay.prepare(stream, *world, plan.camera.eye_m, options.field_overlay);
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
     statistics.strip = {plan.blades_in_strips, strips.triangles()};
@@ -164,6 +167,7 @@ struct Renderer::Passes {
     timers.sky.begin();
     sky.draw(plan.camera);
     timers.sky.end();
+    field_overlay.draw();
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
@@ -196,6 +200,7 @@ struct Renderer::Passes {
   GrassMotion motion = GrassMotion::kStill;
   GlTexture noise_texture = make_noise_texture();
   SkyPass sky;
+  FieldOverlayPass field_overlay;
   GlProgram tone_program;
   GlVertexArray no_vertices;
   FrameParams frame{};

@@ -13,6 +13,7 @@
 #include "lod/camera.h"
 #include "lod/frame_plan.h"
 #include "lod/quality.h"
+#include "render/field_overlay.h"
 #include "render/stage_time.h"
 #include "world/world.h"
 
@@ -41,6 +42,7 @@ struct FrameOptions {
   std::optional<Quality> quality = {};                 // the scene's, if not given
   std::optional<glm::dvec3> lod_eye_m = {};            // tiers are chosen for this eye; the camera's, if not given
   bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
+  FieldOverlay field_overlay = FieldOverlay::kNone;
 };
 
 struct Picture {

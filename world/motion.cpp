@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "animation/blade_checks.h"
 #include "animation/range_check.h"
@@ -15,8 +17,8 @@ namespace prairie {
 namespace {
 
 // Blades forget what moved them within a few of their swings.
-constexpr int kWarmUpSteps = 360;
-constexpr std::int64_t kWarmUpTicks = kTicksPerS / 60;
+constexpr int kWarmUpSteps = 150;
+constexpr std::int64_t kWarmUpTicks = kTicksPerS / 30;
 constexpr std::size_t kMostPrimitives = 256;
 // An eye that jumps farther sees grass that it has not seen before.
 constexpr double kJumpM = 24.0;
@@ -71,14 +73,32 @@ void Motion::spawn(const WindPrimitive& primitive) {
   std::erase_if(wind_.primitives, [&](const WindPrimitive& old) { return end_s(old) < time_s(); });
   if (wind_.primitives.size() >= kMostPrimitives) wind_.primitives.erase(wind_.primitives.begin());
   wind_.primitives.push_back(primitive);
-  if (eye_m_ && !sway_) watch_anew(*eye_m_);
+  begin_to_sway();
 }
 
 void Motion::set_wind(const MeanWind& mean, const std::optional<NoiseWind>& noise) {
   wind_.mean = mean;
   wind_.noise = noise;
   has_wind_ = true;
-  if (eye_m_ && !sway_) watch_anew(*eye_m_);
+  begin_to_sway();
+}
+
+void Motion::begin_to_sway() {
+  if (eye_m_ && !sway_) sway_.emplace(species_, *eye_m_);
+}
+
+void Motion::wake(bool stirs) {
+  wind_.wake.reset();
+  if (stirs) wind_.wake.emplace(CameraWakeSettings{});
+}
+
+// Grass in calm air has nothing to sway in until the eye first moves.
+void Motion::stir() {
+  if (!wind_.wake || !eye_m_) return;
+  wind_.wake->step(*eye_m_, time_s());
+  if (sway_) return;
+  const std::vector<glm::vec2>& velocities = wind_.wake->state().velocities_m_per_s;
+  if (std::ranges::any_of(velocities, [](glm::vec2 velocity) { return velocity != glm::vec2(0.0f); })) begin_to_sway();
 }
 
 void Motion::watch_anew(glm::dvec2 eye_m) {
@@ -86,8 +106,10 @@ void Motion::watch_anew(glm::dvec2 eye_m) {
   sway_.reset();
   if (!blows()) return;
   sway_.emplace(species_, eye_m);
+  const std::optional<CameraWake> wake = std::exchange(wind_.wake, std::nullopt);  // of another time and place
   for (std::int64_t n = kWarmUpSteps; n-- > 0;)
     sway_->step(wind_, seconds_of(ticks_ - n * kWarmUpTicks), static_cast<float>(seconds_of(kWarmUpTicks)));
+  wind_.wake = wake;
 }
 
 void Motion::watch(glm::dvec2 eye_m) {
@@ -110,6 +132,7 @@ void Motion::step(const Meadow& meadow, std::int64_t ticks, std::span<const Trea
   treading_.step(bodies, seconds_of(ticks_ + ticks));
   ticks_ += ticks;
   const auto dt_s = static_cast<float>(seconds_of(ticks));
+  stir();
   if (sway_) sway_->step(wind_, time_s(), dt_s);
   if (eye_m_) touched_.step(surroundings(meadow), solids, *eye_m_, dt_s);
 }
@@ -151,6 +174,7 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
   // From here on nothing is refused.
   ticks_ = state.ticks;
   eye_m_ = state.eye_m;
+  wake(false);
   sway_ = std::move(sway);
   touched_ = std::move(touched);
   if (eye_m_ && !sway_) watch_anew(*eye_m_);  // in case that by now it blows

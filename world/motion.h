@@ -51,10 +51,14 @@ class Motion {
   /// Neither wind nor treads: grass looks as it was planted.
   bool is_still() const { return !sway_ && treading_.bytes() == 0; }
 
-  /// From now on it also blows.
+  /// From now on it also blows: grass that stood in calm air begins to sway from rest.
   void spawn(const WindPrimitive& primitive);
-  /// Replaces the steady wind and its turbulence; primitives stay.
+  /// Replaces the steady wind and its turbulence from now on; primitives stay.
   void set_wind(const MeanWind& mean, const std::optional<NoiseWind>& noise);
+
+  /// From now on the eye that watches stirs the air as it moves (animation/camera_wake.h), or no longer. What it stirs is no
+  /// part of the state: restoring one ends it.
+  void wake(bool stirs);
 
   /// An eye above that place looks for the first time: blades around it sway as they would have for some seconds, which
   /// makes what it sees a function of place and time alone.
@@ -74,6 +78,8 @@ class Motion {
 
  private:
   bool blows() const;
+  void begin_to_sway();
+  void stir();
   Surroundings surroundings(const Meadow& meadow) const;
 
   std::int64_t ticks_ = 0;

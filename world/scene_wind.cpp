@@ -21,23 +21,23 @@ MeanWind mean_wind_of(const WindSpec& spec) {
   return MeanWind(series);
 }
 
-std::optional<NoiseWind> noise_of(const WindSpec& spec, std::uint64_t seed) {
-  // Turbulence goes by the mean wind: calm air has none.
-  const bool blows = spec.file || spec.speed_m_per_s > 0.0;
-  if (!blows || spec.turbulence == 0.0) return std::nullopt;
+}  // namespace
+
+std::optional<NoiseWind> turbulence_of(const Scene& scene, double factor) {
+  if (factor == 0.0) return std::nullopt;
   NoiseWindSettings settings;
-  settings.seed = static_cast<std::uint32_t>(seed ^ (seed >> 32));
-  for (WindLayer& layer : settings.layers) layer.strength *= static_cast<float>(spec.turbulence);
+  settings.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32));
+  for (WindLayer& layer : settings.layers) layer.strength *= static_cast<float>(factor);
   return NoiseWind(settings);
 }
-
-}  // namespace
 
 Wind wind_of(const Scene& scene) {
   Wind wind;
   if (!scene.wind) return wind;
   wind.mean = mean_wind_of(*scene.wind);
-  wind.noise = noise_of(*scene.wind, scene.seed);
+  // Turbulence goes by the mean wind: calm air has none.
+  const bool blows = scene.wind->file || scene.wind->speed_m_per_s > 0.0;
+  if (blows) wind.noise = turbulence_of(scene, scene.wind->turbulence);
   wind.primitives = scene.wind->primitives;
   return wind;
 }

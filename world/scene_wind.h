@@ -11,6 +11,9 @@ namespace prairie {
 /// camera's wake. Throws BadInput that names the file of a measured series, the line and what was expected.
 Wind wind_of(const Scene& scene);
 
+/// Turbulence by the scene's seed, its strength times `factor` (0…10); none where the factor is 0.
+std::optional<NoiseWind> turbulence_of(const Scene& scene, double factor);
+
 /// Of a mean blade of the species.
 ChainTraits chain_traits_of(const SpeciesSpec& spec);
 

@@ -96,7 +96,8 @@ void World::watch_anew(glm::dvec2 eye_m) {
   motion_->watch_anew(eye_m);
   std::vector<Solid> solids;
   for (const Mover& mover : movers_) {
-    const std::vector<Solid> solid = solids_of(mover.path(), mover.place(meadow_.ground, time_s()));
+    const std::vector<Solid> solid =
+        solids_of(mover.path().kind, mover.path().radius_m, mover.place(meadow_.ground, time_s()));
     solids.insert(solids.end(), solid.begin(), solid.end());
   }
   motion_->meet(meadow_, solids);
@@ -108,16 +109,21 @@ void World::step(double dt_s) {
   const double from_s = time_s(), to_s = static_cast<double>(motion_->ticks() + ticks) / static_cast<double>(kTicksPerS);
   std::vector<TreadStep> bodies;
   std::vector<Solid> solids;
-  for (std::size_t n = 0; n < movers_.size(); ++n) {
-    const Mover& mover = movers_[n];
-    const MoverPlace from = mover.place(meadow_.ground, from_s), to = mover.place(meadow_.ground, to_s);
-    const auto first_id = static_cast<std::uint32_t>(n) * kTreadIdsPerMover;
-    const std::vector<TreadStep> steps = tread_steps(mover.path(), from, to, first_id);
+  std::uint32_t next_id = 0;
+  const auto add = [&](MoverKind kind, double radius_m, const MoverPlace& from, const MoverPlace& to) {
+    const std::vector<TreadStep> steps = tread_steps(kind, radius_m, from, to, next_id);
     bodies.insert(bodies.end(), steps.begin(), steps.end());
-    const std::vector<Solid> solid = solids_of(mover.path(), to);
+    const std::vector<Solid> solid = solids_of(kind, radius_m, to);
     solids.insert(solids.end(), solid.begin(), solid.end());
+    next_id += kTreadIdsPerMover;
+  };
+  for (const Mover& mover : movers_) {
+    add(mover.path().kind, mover.path().radius_m, mover.place(meadow_.ground, from_s),
+        mover.place(meadow_.ground, to_s));
   }
+  for (const DrivenMover& driven : driven_) add(driven.kind, driven.radius_m, driven.before, driven.place);
   motion_->step(meadow_, ticks, bodies, solids);
+  for (DrivenMover& driven : driven_) driven.before = driven.place;
 }
 
 std::vector<std::byte> World::saved_state() const {

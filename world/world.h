@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/driven_mover.h"
 #include "agents/mover.h"
 #include "generator/meadow.h"
 #include "maps/height_field.h"
@@ -40,6 +41,10 @@ class World {
   /// As the scene has them, in its order.
   const std::vector<Mover>& movers() const { return movers_; }
 
+  /// Movers whose places are set from outside; each step takes them from where the last one left them to where they are.
+  const std::vector<DrivenMover>& driven() const { return driven_; }
+  std::vector<DrivenMover>& driven() { return driven_; }
+
   /// What time moves. `watch` tells it where the eye is; without one nothing is simulated that only an eye would see.
   const Motion& motion() const { return *motion_; }
   Motion& motion() { return *motion_; }
@@ -65,6 +70,7 @@ class World {
   std::uint64_t scene_hash_ = 0;
   std::vector<std::string> warnings_;
   std::vector<Mover> movers_;
+  std::vector<DrivenMover> driven_;
   std::optional<Motion> motion_;  // always there once constructed
 };
 

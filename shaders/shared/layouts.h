@@ -23,6 +23,7 @@ using uint = glm::uint;
 #include "shaders/shared/planted_cell.glsl"
 #include "shaders/shared/drawn_cell.glsl"
 #include "shaders/shared/lod.glsl"
+#include "shaders/shared/field_overlay.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/grown_vertex.glsl"
 #include "shaders/shared/strip_tile.glsl"
@@ -41,6 +42,7 @@ using layouts::Blade;
 using layouts::DrawnCell;
 using layouts::FrameParams;
 using layouts::GrownVertex;
+using layouts::HeatSquare;
 using layouts::LodCoefficients;
 using layouts::PlantedCell;
 using layouts::SolidParams;
@@ -51,6 +53,7 @@ using layouts::kSwardLowestSine;
 using layouts::kSwayPeriodS;
 using layouts::StripTile;
 using layouts::StripVertex;
+using layouts::WindArrow;
 
 constexpr std::size_t kTexelBytes = 16;
 static_assert(sizeof(Blade) == kTexelBytes * layouts::kBladeTexels);
@@ -60,6 +63,8 @@ static_assert(offsetof(DrawnCell, eye_from_tile_m) == 80);
 static_assert(sizeof(FrameParams) == 368);
 static_assert(offsetof(FrameParams, anchor_m) == 240);
 static_assert(offsetof(FrameParams, lod) == 304);
+static_assert(sizeof(HeatSquare) == 48);
+static_assert(offsetof(HeatSquare, heat) == 32);
 static_assert(sizeof(LodCoefficients) == 64);
 static_assert(sizeof(GrownVertex) == kTexelBytes);
 static_assert(sizeof(StripTile) == kTexelBytes * layouts::kStripTileTexels);
@@ -71,5 +76,6 @@ static_assert(offsetof(SolidParams, half_size_m) == 64);
 static_assert(sizeof(SpeciesParams) == kTexelBytes * layouts::kSpeciesTexels);
 static_assert(offsetof(SpeciesParams, tip_color) == 16);
 static_assert(offsetof(SpeciesParams, height_m) == 64);
+static_assert(sizeof(WindArrow) == 32);
 
 }  // namespace prairie

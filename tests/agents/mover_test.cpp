@@ -89,7 +89,7 @@ TEST(Mover, StandsBeforeItsStartAndAfterItsEnd) {
   const MoverPlace last = mover.place(ground, end_s + 1.0), later = mover.place(ground, end_s + 100.0);
   EXPECT_NEAR(glm::length(last.contact_m - path.path_m.back()), 0.0, 1e-6);
   EXPECT_TRUE(same_bits(last, later));
-  for (const TreadStep& step : tread_steps(path, last, later, 0)) EXPECT_EQ(step.from_m, step.to_m);
+  for (const TreadStep& step : tread_steps(path.kind, path.radius_m, last, later, 0)) EXPECT_EQ(step.from_m, step.to_m);
 }
 
 TEST(Mover, LoopsForEver) {
@@ -150,7 +150,7 @@ TEST(Mover, ACartStandsOnItsWheels) {
     const Mover mover(path);
     for (double t = 0.0; t < 30.0; t += 0.9) {
       const MoverPlace place = mover.place(ground, t);
-      const std::vector<Solid> solids = solids_of(path, place);
+      const std::vector<Solid> solids = solids_of(path.kind, path.radius_m, place);
       ASSERT_EQ(solids.size(), 5u);
       const Box& box = std::get<Box>(solids[0]);
       for (std::size_t n = 1; n < solids.size(); ++n) {
@@ -169,14 +169,14 @@ TEST(Mover, TreadsWhereItTouches) {
   const HeightField ground = hills();
   const MoverPath stone = winding(MoverKind::kStone), cart = winding(MoverKind::kCart);
   const Mover rolling(stone), riding(cart);
-  const auto one = tread_steps(stone, rolling.place(ground, 4.0), rolling.place(ground, 4.1), 40);
+  const auto one = tread_steps(stone.kind, stone.radius_m, rolling.place(ground, 4.0), rolling.place(ground, 4.1), 40);
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].id, 40u);
   EXPECT_EQ(one[0].from_m, rolling.place(ground, 4.0).contact_m);
   EXPECT_EQ(one[0].to_m, rolling.place(ground, 4.1).contact_m);
   EXPECT_DOUBLE_EQ(one[0].radius_m, 0.3);
   const MoverPlace from = riding.place(ground, 4.0), to = riding.place(ground, 4.1);
-  const auto four = tread_steps(cart, from, to, 80);
+  const auto four = tread_steps(cart.kind, cart.radius_m, from, to, 80);
   ASSERT_EQ(four.size(), 4u);
   glm::dvec2 middle_m(0.0);
   for (std::uint32_t n = 0; n < 4; ++n) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -73,6 +74,14 @@ TEST(MeanWindTest, GustsTravel) {
   const double mean_speed = wind.drift_m(100.0).x / 100.0;
   EXPECT_NEAR(wind.velocity_m_per_s({20.0, 7.0}, 50.0 + 20.0 / mean_speed).x, 9.0, 1e-5);
   EXPECT_NEAR(wind.velocity_m_per_s({20.0, 7.0}, 50.0).x, 5.0, 1e-5);
+}
+
+TEST(MeanWindTest, OneThatFollowsLeavesNoGapInTheDrift) {
+  const MeanWind before(glm::dvec2(5.0, 1.0));
+  MeanWind after(glm::dvec2(-2.0, 3.0));
+  after.follow(before, 40.0);
+  EXPECT_NEAR(glm::length(after.drift_m(40.0) - before.drift_m(40.0)), 0.0, 1e-9);
+  EXPECT_NEAR(glm::length(after.drift_m(41.0) - after.drift_m(40.0) - glm::dvec2(-2.0, 3.0)), 0.0, 1e-9);
 }
 
 TEST(MeanWindTest, RefusesBadSeries) {

@@ -35,6 +35,14 @@ TEST(FrameKeys, TiersComeInTurn) {
   EXPECT_EQ(after({GLFW_KEY_T, GLFW_KEY_T, GLFW_KEY_T, GLFW_KEY_T, GLFW_KEY_T}).tier, Tier::kAuto);
 }
 
+TEST(FrameKeys, FieldOverlaysComeInTurn) {
+  EXPECT_EQ(after({}).field_overlay, FieldOverlay::kNone);
+  EXPECT_EQ(after({GLFW_KEY_O}).field_overlay, FieldOverlay::kWind);
+  EXPECT_EQ(after({GLFW_KEY_O, GLFW_KEY_O}).field_overlay, FieldOverlay::kTilt);
+  EXPECT_EQ(after({GLFW_KEY_O, GLFW_KEY_O, GLFW_KEY_O}).field_overlay, FieldOverlay::kRecovery);
+  EXPECT_EQ(after({GLFW_KEY_O, GLFW_KEY_O, GLFW_KEY_O, GLFW_KEY_O}).field_overlay, FieldOverlay::kNone);
+}
+
 TEST(FrameKeys, TintAndSmoothEdgesToggle) {
   EXPECT_TRUE(after({GLFW_KEY_G}).tier_tint);
   EXPECT_FALSE(after({GLFW_KEY_G, GLFW_KEY_G}).tier_tint);

@@ -34,6 +34,15 @@ void WindowFromOutside::resize(unsigned width_px, unsigned height_px) {
   XSync(display_, False);
 }
 
+void WindowFromOutside::press(unsigned long symbol) {
+  send_key(KeyPress, symbol);
+  send_key(KeyRelease, symbol);
+}
+
+void WindowFromOutside::hold(unsigned long symbol) {
+  send_key(KeyPress, symbol);
+}
+
 void WindowFromOutside::close() {
   XEvent event{};
   event.xclient.type = ClientMessage;
@@ -42,6 +51,19 @@ void WindowFromOutside::close() {
   event.xclient.format = 32;
   event.xclient.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
   XSendEvent(display_, window_, False, NoEventMask, &event);
+  XSync(display_, False);
+}
+
+void WindowFromOutside::send_key(int type, unsigned long symbol) {
+  XEvent event{};
+  event.xkey.type = type;
+  event.xkey.display = display_;
+  event.xkey.window = window_;
+  event.xkey.root = DefaultRootWindow(display_);
+  event.xkey.same_screen = True;
+  event.xkey.keycode = XKeysymToKeycode(display_, symbol);
+  event.xkey.time = time_ms_ += 100;
+  XSendEvent(display_, window_, False, type == KeyPress ? KeyPressMask : KeyReleaseMask, &event);
   XSync(display_, False);
 }
 

@@ -18,14 +18,20 @@ class WindowFromOutside {
   void hide();
   void show();
   void resize(unsigned width_px, unsigned height_px);
+  /// Presses a key and lets it go: X's code of its symbol, such as 'p' or XK_Escape.
+  void press(unsigned long symbol);
+  /// Presses a key and holds it.
+  void hold(unsigned long symbol);
   /// Asks the program to close it, as the cross in a window's frame does.
   void close();
 
  private:
   void find();
+  void send_key(int type, unsigned long symbol);
 
   _XDisplay* display_;
   unsigned long window_ = 0;
+  unsigned long time_ms_ = 0;  // of the last key: GLFW takes two at one time for one
 };
 
 }  // namespace prairie::testing

@@ -9,9 +9,14 @@
 #include <chrono>
 #include <cstdint>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/view.h"
 #include "lod/camera.h"
@@ -26,6 +31,9 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
+
+// X's symbols, whose header defines macros.
+constexpr unsigned long kEscape = 0xff1b, kLeft = 0xff51, kUp = 0xff52;
 
 double cpu_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -60,23 +68,115 @@ class ViewerTest : public ::testing::Test {
 
   /// Shows the scene, while `disturb` does something to the window, which is then closed.
   void view(const std::function<void(testing::WindowFromOutside&)>& disturb) {
-    const World world(read_scene(folder_ / "scene", {}), {});
+    World world(read_scene(folder_ / "scene", {}), {});
+    view(world, {}, disturb);
+  }
+
+  void view(World& world, ViewerOptions options, const std::function<void(testing::WindowFromOutside&)>& disturb) {
     Camera camera;
     camera.eye_m = {8.0, 1.0, 3.0};
     camera.size_px = {64, 48};
-    ViewerOptions options;
     options.memory_budget_bytes = std::uint64_t{1} << 30;
     const std::jthread other([&] {
       testing::WindowFromOutside window;
       ASSERT_TRUE(window.is_there());
       disturb(window);
-      window.close();
+      if (!ends_itself_) window.close();
     });
     view_world(world, camera, options);
   }
 
+  /// The world after these keys were pressed, all before the first frame, while time paused.
+  World after_keys(const std::vector<unsigned long>& keys, const std::filesystem::path& screenshot = {}) {
+    World world(read_scene(folder_ / "scene", {}), {});
+    ViewerOptions options;
+    options.paused = true;
+    if (!screenshot.empty()) options.screenshot = screenshot;
+    view(world, options, [&](testing::WindowFromOutside& window) {
+      for (const unsigned long key : keys) window.press(key);
+    });
+    return world;
+  }
+
+  /// What the window then shows.
+  std::string picture_after(std::vector<unsigned long> keys, int overlays) {
+    keys.insert(keys.end(), static_cast<std::size_t>(overlays), 'o');
+    after_keys(keys, folder_ / "seen.png");
+    std::ifstream file(folder_ / "seen.png", std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
   const testing::TemporaryFolder folder_;
+  bool ends_itself_ = false;  // what is done to the window closes it
 };
+
+TEST_F(ViewerTest, TimePassesUnlessItPauses) {
+  World world(read_scene(folder_ / "scene", {}), {});
+  view(world, {}, [](testing::WindowFromOutside&) { std::this_thread::sleep_for(500ms); });
+  EXPECT_GT(world.time_s(), 0.0);
+  EXPECT_EQ(after_keys({}).time_s(), 0.0);
+  EXPECT_GT(after_keys({'p', 'p', 'n'}).time_s(), 0.0);
+  EXPECT_NEAR(after_keys({'n', 'n', 'n'}).time_s(), 0.1, 1e-6);
+}
+
+TEST_F(ViewerTest, AStoneLeavesATrack) {
+  EXPECT_EQ(after_keys({'n', 'n'}).motion().treading().bytes(), 0u);
+  std::vector<unsigned long> keys(20, 'n');
+  keys.insert(keys.begin(), 'r');
+  const World world = after_keys(keys);
+  EXPECT_GT(world.motion().treading().bytes(), 0u);
+  ASSERT_EQ(world.driven().size(), 1u);
+  EXPECT_NEAR(world.driven()[0].place.contact_m.y, 1.0 + 4.0 + 2.0 * 20.0 / 30.0, 1e-3);
+}
+
+TEST_F(ViewerTest, ACartIsTakenAndLeft) {
+  const World world = after_keys({'c', 'n'});
+  ASSERT_EQ(world.driven().size(), 1u);
+  EXPECT_EQ(world.driven()[0].kind, MoverKind::kCart);
+  EXPECT_TRUE(after_keys({'c', 'n', 'c', 'n'}).driven().empty());
+}
+
+TEST_F(ViewerTest, ArrowKeysDriveTheCart) {
+  World world(read_scene(folder_ / "scene", {}), {});
+  ViewerOptions options;
+  options.paused = true;
+  view(world, options, [](testing::WindowFromOutside& window) {
+    window.hold(kUp);
+    window.hold(kLeft);
+    for (const char key : std::string("cnnnnnnnnnnnnnnn")) window.press(static_cast<unsigned long>(key));
+  });
+  ASSERT_EQ(world.driven().size(), 1u);
+  const DrivenMover& cart = world.driven()[0];
+  EXPECT_GT(cart.rolled_m, 0.1);
+  EXPECT_LT(cart.place.forward.x, -1e-3) << "to the left of north";
+}
+
+TEST_F(ViewerTest, WindGustsAndTornadoes) {
+  const World world = after_keys({']', ']', ']', ';', 'b', 'v', 'n'});
+  EXPECT_EQ(world.motion().wind().primitives.size(), 2u);
+  EXPECT_TRUE(world.motion().wind().noise);
+  EXPECT_TRUE(world.motion().sway());
+  const glm::dvec2 mean = world.motion().wind().mean.velocity_m_per_s({0.0, 0.0}, 0.0);
+  EXPECT_NEAR(mean.x, 3.0, 1e-5);
+}
+
+TEST_F(ViewerTest, OverlaysChangeThePicture) {
+  const std::vector<unsigned long> windy{']', ']', ']', ']', 'n'};
+  EXPECT_NE(picture_after(windy, 1), picture_after(windy, 0));
+  std::vector<unsigned long> trodden(20, 'n');
+  trodden.insert(trodden.begin(), 'r');
+  const std::string plain = picture_after(trodden, 0), tilt = picture_after(trodden, 2);
+  EXPECT_FALSE(plain.empty());
+  EXPECT_NE(tilt, plain);
+  EXPECT_NE(picture_after(trodden, 3), tilt);
+  EXPECT_EQ(picture_after(trodden, 4), plain);
+}
+
+TEST_F(ViewerTest, EscapeEndsIt) {
+  ends_itself_ = true;
+  World world(read_scene(folder_ / "scene", {}), {});
+  view(world, {}, [](testing::WindowFromOutside& window) { window.press(kEscape); });
+}
 
 TEST_F(ViewerTest, DrawsNothingWhileItIsHidden) {
   double hidden_cpu_s = 0.0;

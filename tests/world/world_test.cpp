@@ -178,5 +178,40 @@ TEST(World, StepsTime) {
   EXPECT_EQ(world.time_s(), 0.5);
 }
 
+DrivenMover stone_at(const World& world, glm::dvec2 contact_m) {
+  DrivenMover stone;
+  stone.place = stone_place(world.meadow().ground, stone.radius_m, contact_m, {1.0, 0.0}, 0.0);
+  stone.before = stone.place;
+  return stone;
+}
+
+TEST(World, WhatIsDrivenTreadsItsWay) {
+  World world(parse_scene(testing::kPlainScene, "folder", {}), {});
+  world.driven().push_back(stone_at(world, {5.0, 5.0}));
+  world.step(1.0 / 30.0);
+  world.driven()[0].place = stone_at(world, {6.0, 5.0}).place;
+  world.step(1.0 / 30.0);
+  EXPECT_EQ(world.driven()[0].before.contact_m, glm::dvec2(6.0, 5.0));
+  EXPECT_GT(world.motion().treading().sample({5.5, 5.0}).tilt_rad, 0.5f);
+  EXPECT_EQ(world.motion().treading().sample({9.0, 5.0}).tilt_rad, 0.0f);
+}
+
+TEST(World, TheEyesWakeStirsCalmAir) {
+  World world(parse_scene(testing::kPlainScene, "folder", {}), {});
+  Motion& motion = world.motion();
+  motion.watch({5.0, 5.0});
+  motion.wake(true);
+  world.step(1.0 / 30.0);
+  EXPECT_TRUE(motion.is_still()) << "nothing has moved";
+  for (int n = 1; n <= 10; ++n) {
+    motion.watch({5.0 + 0.2 * n, 5.0});
+    world.step(1.0 / 30.0);
+  }
+  ASSERT_TRUE(motion.sway());
+  EXPECT_GT(motion.sway()->mean_tip({8.0, 5.0}).x, 0.001f);
+  motion.restore(world.meadow(), World(parse_scene(testing::kPlainScene, "folder", {}), {}).motion().state());
+  EXPECT_FALSE(motion.wind().wake) << "earlier than what was stirred up";
+}
+
 }  // namespace
 }  // namespace prairie

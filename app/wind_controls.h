@@ -1,0 +1,28 @@
+// The steady wind as a person sets it at a window, by keys or sliders.
+#pragma once
+
+#include "world/world.h"
+
+namespace prairie {
+
+struct WindControls {
+  float speed_m_per_s = 0.0f;  // 0…kMostSpeedMPerS
+  float heading_deg = 90.0f;   // towards which it blows, clockwise from north, 0…360
+  float turbulence = 1.0f;     // factor on the noise, 0…kMostTurbulence
+
+  static constexpr float kMostSpeedMPerS = 30.0f;
+  static constexpr float kMostTurbulence = 3.0f;
+
+  bool operator==(const WindControls&) const = default;
+};
+
+/// What the scene says; of a measured wind, its velocity at the beginning.
+WindControls wind_controls_of(const Scene& scene, const Wind& wind);
+
+/// What pressing `key` (GLFW's code) changes: [ and ] the speed, comma and full stop the heading, ; and ' the turbulence.
+void apply_wind_key(int key, WindControls& controls);
+
+/// From now on that wind blows; its turbulence drifts on from where it is.
+void blow(const WindControls& controls, World& world);
+
+}  // namespace prairie
