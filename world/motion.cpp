@@ -104,6 +104,7 @@ void Motion::stir() {
 void Motion::watch_anew(glm::dvec2 eye_m) {
   eye_m_ = eye_m;
   sway_.reset();
+  touched_ = TouchedBlades();  // those that another eye saw
   if (!blows()) return;
   sway_.emplace(species_, eye_m);
   const std::optional<CameraWake> wake = std::exchange(wind_.wake, std::nullopt);  // of another time and place
@@ -176,8 +177,8 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
   eye_m_ = state.eye_m;
   wake(false);
   sway_ = std::move(sway);
-  touched_ = std::move(touched);
   if (eye_m_ && !sway_) watch_anew(*eye_m_);  // in case that by now it blows
+  touched_ = std::move(touched);
   touched_.pose(surroundings(meadow));
 }
 

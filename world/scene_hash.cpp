@@ -179,4 +179,12 @@ std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::ui
   return text.hash();
 }
 
+std::uint64_t motion_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes) {
+  Scene unseen = scene;
+  unseen.cameras.clear();
+  unseen.sun = SunSpec{};
+  unseen.lod = LodSpec{};
+  return scene_hash(unseen, content_hashes);
+}
+
 }  // namespace prairie

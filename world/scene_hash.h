@@ -14,4 +14,7 @@ namespace prairie {
 /// measured wind by kWindFileField).
 std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes);
 
+/// The same of what grows and moves alone: equal for other cameras, another light, another quality.
+std::uint64_t motion_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes);
+
 }  // namespace prairie

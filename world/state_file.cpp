@@ -156,9 +156,9 @@ std::span<const std::byte> checked_body(std::span<const std::byte> bytes, const 
   if (little_endian<std::uint64_t>(bytes.subspan(kChecksumAt, 8)) != checksum(bytes))
     refuse("a damaged state: its checksum is another", "the file as it was written");
   const auto hash = little_endian<std::uint64_t>(bytes.subspan(kHashAt, 8));
-  if (hash != owner.scene_hash)
+  if (hash != owner.motion_hash)
     refuse(fmt::format("a state of another scene, or of this one with other maps, settings or seed (hash {:016x})", hash),
-           fmt::format("one of this scene as it is (hash {:016x})", owner.scene_hash));
+           fmt::format("one of this scene as it is (hash {:016x})", owner.motion_hash));
   return bytes.subspan(kStateHeaderBytes);
 }
 
@@ -216,7 +216,7 @@ std::vector<std::byte> state_bytes(const MotionState& state, const StateOwner& o
     throw OverBudget("", "state", fmt::format("{} bytes", size), fmt::format("at most {}", kMostStateBytes));
   Writer writer(size);
   for (const std::uint8_t byte : kMagic) writer.put(byte);
-  writer.put(kVersion, std::uint64_t{0}, std::uint64_t{0}, owner.scene_hash);
+  writer.put(kVersion, std::uint64_t{0}, std::uint64_t{0}, owner.motion_hash);
   writer.put(state.ticks);
   const TreadSettings& s = owner.treading;
   writer.put(s.spacing_m, s.reach_radii, s.recovery_s, s.field_scale, s.most_tilt_rad, s.load_slowing, s.worn_slowing,

@@ -8,7 +8,7 @@
 //       4  version of this format, 1
 //       8  length of the whole file
 //       8  XXH3 (64 bits) of all that follows
-//       8  the scene's hash (world/scene_hash.h)
+//       8  the hash of what moves (motion_hash in world/scene_hash.h)
 //
 // and then, one after the other:
 //
@@ -38,7 +38,7 @@ namespace prairie {
 
 /// What a state belongs to.
 struct StateOwner {
-  std::uint64_t scene_hash = 0;
+  std::uint64_t motion_hash = 0;
   TreadSettings treading;
 };
 

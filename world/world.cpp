@@ -84,6 +84,7 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
     findings.content_hashes[kWindFileField] = inspect_input(*scene_.wind->file, kWindFileField).hash;
   }
   scene_hash_ = prairie::scene_hash(scene_, findings.content_hashes);
+  motion_hash_ = prairie::motion_hash(scene_, findings.content_hashes);
   geo_reference_ = std::move(findings.geo_reference);
   maps_ = std::move(findings.maps);
   warnings_ = std::move(findings.warnings);
@@ -127,11 +128,11 @@ void World::step(double dt_s) {
 }
 
 std::vector<std::byte> World::saved_state() const {
-  return state_bytes(motion_->state(), {scene_hash_, scene_.treading});
+  return state_bytes(motion_->state(), {motion_hash_, scene_.treading});
 }
 
 void World::load_state(std::span<const std::byte> bytes, const std::string& file) {
-  MotionState state = parse_state(bytes, {scene_hash_, scene_.treading}, file);
+  MotionState state = parse_state(bytes, {motion_hash_, scene_.treading}, file);
   try {
     motion_->restore(meadow_, std::move(state));
   } catch (const BadInput& fault) {

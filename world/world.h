@@ -37,6 +37,8 @@ class World {
   const std::vector<LoadedMap>& maps() const { return maps_; }
   /// Of the scene's settings and its maps' contents; the same wherever the folder lies.
   std::uint64_t scene_hash() const { return scene_hash_; }
+  /// Of what grows and moves alone, whatever it is looked at with: to whom a saved state belongs.
+  std::uint64_t motion_hash() const { return motion_hash_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// As the scene has them, in its order.
   const std::vector<Mover>& movers() const { return movers_; }
@@ -68,6 +70,7 @@ class World {
   std::optional<GeoReference> geo_reference_;
   std::vector<LoadedMap> maps_;
   std::uint64_t scene_hash_ = 0;
+  std::uint64_t motion_hash_ = 0;
   std::vector<std::string> warnings_;
   std::vector<Mover> movers_;
   std::vector<DrivenMover> driven_;

@@ -252,7 +252,7 @@ class StateNumbers : public ::testing::Test {
     MotionState state = world_.motion().state();
     change(state);
     const std::string said =
-        refusal(world_, state_bytes(state, {world_.scene_hash(), world_.scene().treading}));
+        refusal(world_, state_bytes(state, {world_.motion_hash(), world_.scene().treading}));
     EXPECT_NE(said.find(std::string(": ") + field), std::string::npos) << said;
     EXPECT_NE(said.find(words), std::string::npos) << said;
   }
@@ -283,7 +283,7 @@ TEST_F(StateNumbers, Treads) {
 TEST_F(StateNumbers, SettingsOfTreading) {
   TreadSettings settings = world_.scene().treading;
   settings.recovery_s += 1.0;
-  const std::string said = refusal(world_, state_bytes(world_.motion().state(), {world_.scene_hash(), settings}));
+  const std::string said = refusal(world_, state_bytes(world_.motion().state(), {world_.motion_hash(), settings}));
   EXPECT_NE(said.find("treading: found recovery_s"), std::string::npos) << said;
 }
 
@@ -308,7 +308,7 @@ TEST_F(StateNumbers, Sway) {
   windy_world.motion().watch(kEyeM);
   windy_world.step(kStepS);
   MotionState state = windy_world.motion().state();
-  const StateOwner owner{windy_world.scene_hash(), windy_world.scene().treading};
+  const StateOwner owner{windy_world.motion_hash(), windy_world.scene().treading};
   for (const float wrong : {9.0f, -9.0f}) {
     state.sway.value().motions[5000].turn.v3.y = wrong;
     EXPECT_NE(refusal(windy_world, state_bytes(state, owner)).find("sway.turn"), std::string::npos);
