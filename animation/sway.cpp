@@ -1,7 +1,5 @@
 #include "animation/sway.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -166,7 +164,7 @@ struct WindowPlace {
   glm::dvec2 position_m;
 };
 
-// As sway_place in shaders/pass/sway.glsl.
+// As field_place in shaders/pass/moving_fields.glsl.
 WindowPlace window_place(glm::dvec2 centre_m, glm::dvec2 position_m) {
   const glm::dvec2 away_m = position_m - centre_m;
   const double distance_m = std::max(std::abs(away_m.x), std::abs(away_m.y));

@@ -16,7 +16,7 @@
 namespace prairie {
 namespace {
 
-// A tip goes back to the virtual blade by no more than this share of its length in a sixtieth of a second.
+// A tip goes back to the virtual blade by no more than this share of its length in a second.
 constexpr float kFadePerS = 0.28f;
 // Nearer to a solid a root is under it, as for bend_out.
 constexpr double kUnderM = 2e-3;
@@ -53,16 +53,13 @@ ChainVectors plus(const ChainVectors& a, const ChainVectors& b, float scale = 1.
   return Kernels{}.chain_sum(a, b, scale);
 }
 
-glm::vec3 turn_between(glm::vec3 from, glm::vec3 to) {
-  return glm::cross(from, to);
-}
-
-// Treads change what a blade rests in, not where it is.
+// Treads change what a blade rests in, not where it is. They do so little by little: the cross product of two directions is the
+// turn between them.
 void keep_in_place(const ChainVectors& old_rest, const ChainVectors& new_rest, ChainVectors& turn) {
-  turn.v1 -= turn_between(old_rest.v1, new_rest.v1);
-  turn.v2 -= turn_between(old_rest.v2, new_rest.v2);
-  turn.v3 -= turn_between(old_rest.v3, new_rest.v3);
-  turn.v4 -= turn_between(old_rest.v4, new_rest.v4);
+  turn.v1 -= glm::cross(old_rest.v1, new_rest.v1);
+  turn.v2 -= glm::cross(old_rest.v2, new_rest.v2);
+  turn.v3 -= glm::cross(old_rest.v3, new_rest.v3);
+  turn.v4 -= glm::cross(old_rest.v4, new_rest.v4);
   turn = Kernels{}.within_half_turns(turn);
 }
 

@@ -107,7 +107,7 @@ void World::watch_anew(glm::dvec2 eye_m) {
 void World::step(double dt_s) {
   assert(dt_s > 0.0);
   const auto ticks = std::max(std::llround(dt_s * static_cast<double>(kTicksPerS)), 1ll);
-  const double from_s = time_s(), to_s = static_cast<double>(motion_->ticks() + ticks) / static_cast<double>(kTicksPerS);
+  const double from_s = time_s(), to_s = seconds_of(motion_->ticks() + ticks);
   std::vector<TreadStep> bodies;
   std::vector<Solid> solids;
   std::uint32_t next_id = 0;
