@@ -1,5 +1,7 @@
 #include "animation/tread_window.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -24,13 +26,20 @@ int wrapped(int i) {
 }
 
 std::int8_t packed(float share) {
-  return static_cast<std::int8_t>(std::lround(127.0f * std::clamp(share, -1.0f, 1.0f)));
+  const float steps = 127.0f * std::clamp(share, -1.0f, 1.0f);
+  return static_cast<std::int8_t>(steps + (steps < 0.0f ? -0.5f : 0.5f));  // lround, which is a call, takes as long as the rest
 }
 
 TreadTexel texel_of(glm::vec4 tread) {
   const glm::vec3 share = glm::vec3(tread) / layouts::kTreadMostRad;
   return {packed(share.x), packed(share.y), packed(share.z), packed(tread.w)};
 }
+
+/// What two texels of a row or column lie between: nodes `from` and the next one.
+struct Between {
+  int from = 0;
+  float share = 0.0f;
+};
 
 /// A page's nodes with some around them, to be sampled quickly.
 class PageNodes {
@@ -43,29 +52,27 @@ class PageNodes {
     treading.read({south_west_.i, south_west_.j, side_, side_}, nodes_);
   }
 
+  Between column_at(double x_m) const { return between(x_m, south_west_.i); }
+  Between row_at(double y_m) const { return between(y_m, south_west_.j); }
+
   /// (lean east, lean north, tilt, wear), bilinear.
-  glm::vec4 sample(glm::dvec2 position_m) const {
-    const NodeSquare square = square_of(position_m, spacing_m_);
-    const int column = square.south_west.i - south_west_.i, row = square.south_west.j - south_west_.j;
-    assert(column >= 0 && row >= 0 && column + 1 < side_ && row + 1 < side_);
-    const glm::vec4* south = &nodes_[static_cast<std::size_t>(row * side_ + column)];
+  glm::vec4 sample(Between column, Between row) const {
+    const glm::vec4* south = &nodes_[static_cast<std::size_t>(row.from * side_ + column.from)];
     const glm::vec4* north = south + side_;
-    const glm::vec4 low = south[0] + (south[1] - south[0]) * square.east;
-    const glm::vec4 high = north[0] + (north[1] - north[0]) * square.east;
-    return low + (high - low) * square.north;
+    const glm::vec4 low = south[0] + (south[1] - south[0]) * column.share;
+    const glm::vec4 high = north[0] + (north[1] - north[0]) * column.share;
+    return low + (high - low) * row.share;
   }
-
-  /// Of four places, aside of the middle both ways.
-  glm::vec4 mean_around(glm::dvec2 middle_m, double aside_m) const {
-    glm::vec4 sum(0.0f);
-    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)})
-      sum += sample(middle_m + aside_m * corner);
-    return 0.25f * sum;
-  }
-
-  bool holds_some() const { return side_ > 0; }
 
  private:
+  Between between(double position_m, int first) const {
+    const double nodes = position_m / spacing_m_;
+    const double below = std::floor(nodes);
+    const Between found{static_cast<int>(below) - first, static_cast<float>(nodes - below)};
+    assert(found.from >= 0 && found.from + 1 < side_);
+    return found;
+  }
+
   double spacing_m_ = 0.0;
   int side_ = 0;
   NodeIndex south_west_;
@@ -94,47 +101,76 @@ void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
   painted_.clear();
   centre_m_ = eye_m;
   // Worn nodes lie down without having been pressed lately, so that both fields have a say.
-  std::set<PageIndex> pages;
-  for (const auto& [page, nodes] : treading.state().nodes.pages()) pages.insert(page);
-  for (const auto& [page, nodes] : treading.state().wear.pages()) pages.insert(page);
-  for (const PageIndex page : pages) paint_page(treading, page);
+  std::set<PageIndex> indices;
+  for (const auto& [page, nodes] : treading.state().nodes.pages()) indices.insert(page);
+  for (const auto& [page, nodes] : treading.state().wear.pages()) indices.insert(page);
+  const std::vector<PageIndex> pages(indices.begin(), indices.end());
+  std::vector<std::vector<Painted>> painted(pages.size());
+  tbb::parallel_for(std::size_t{0}, pages.size(), [&](std::size_t n) {
+    for (int level = 0; level < layouts::kTreadLevels; ++level) paint_page(treading, pages[n], level, painted[n]);
+  });
+  // Neighbours paint the texels between them alike.
+  for (const std::vector<Painted>& texels : painted) {
+    for (const Painted& one : texels) {
+      image_[one.index] = one.texel;
+      painted_.push_back(one.index);
+    }
+  }
 }
 
 // A texel takes the mean of 2 × 2 places in it, or what lies at its middle where nodes are no closer than texels.
-void TreadWindow::paint_page(const Treading& treading, PageIndex page) {
+void TreadWindow::paint_page(const Treading& treading, PageIndex page, int level, std::vector<Painted>& painted) const {
   const double spacing_m = treading.settings().spacing_m;
   const glm::dvec2 low_m = spacing_m * glm::dvec2(page.south_west().i, page.south_west().j);
   const double side_m = spacing_m * kPageNodes;
+  const double size_m = texel_m(level), half_m = 0.5 * size_m * kSide;
+  const double most_m = fade_end_m(half_m), start_m = fade_start_m(half_m);
+  // Nearer texels are those of the finer level, but for the ones that are blended with its neighbours.
+  const double least_m = level == 0 ? -1.0 : fade_end_m(half_m / static_cast<double>(layouts::kSwayCoarsening)) - 2.0 * size_m;
+  const auto distance_m = [&](glm::dvec2 place_m) {
+    const glm::dvec2 away_m = glm::abs(place_m - centre_m_);
+    return std::max(away_m.x, away_m.y);
+  };
+  const glm::dvec2 middle_m = low_m + 0.5 * side_m;
+  if (distance_m(glm::clamp(centre_m_, low_m, low_m + side_m)) >= most_m) return;
+  if (distance_m(middle_m) + 0.5 * side_m + 2.0 * spacing_m < least_m) return;
+
+  const double aside_m = aside_m_of(level, spacing_m);
   PageNodes nodes;
-  for (int level = 0; level < layouts::kTreadLevels; ++level) {
-    const double size_m = texel_m(level), half_m = 0.5 * size_m * kSide;
-    const double most_m = fade_end_m(half_m), start_m = fade_start_m(half_m);
-    const glm::dvec2 nearest_m = glm::clamp(centre_m_, low_m, low_m + side_m) - centre_m_;
-    if (std::max(std::abs(nearest_m.x), std::abs(nearest_m.y)) >= most_m) continue;
-    const double aside_m = aside_m_of(level, spacing_m);
-    if (!nodes.holds_some())
-      nodes.read(treading, page, 2 + static_cast<int>(std::ceil(aside_m_of(layouts::kTreadLevels - 1, spacing_m) / spacing_m)));
-    // Texels beside the page are reached by its outermost nodes.
-    const Range rows = middles_in(low_m.y - spacing_m, low_m.y + side_m, size_m);
-    const Range columns = middles_in(low_m.x - spacing_m, low_m.x + side_m, size_m);
-    for (int row = rows.first; row < rows.end; ++row) {
-      for (int column = columns.first; column < columns.end; ++column) {
-        const glm::dvec2 middle_m = size_m * (glm::dvec2(column, row) + 0.5);
-        const glm::dvec2 away_m = glm::abs(middle_m - centre_m_);
-        const double distance_m = std::max(away_m.x, away_m.y);
-        if (distance_m >= most_m) continue;
-        glm::vec4 tread = aside_m > 0.0 ? nodes.mean_around(middle_m, aside_m) : nodes.sample(middle_m);
-        const bool is_last = level + 1 == layouts::kTreadLevels;
-        if (is_last && distance_m > start_m)
-          tread *= static_cast<float>((most_m - distance_m) / (most_m - start_m));
-        const TreadTexel texel = texel_of(tread);
-        if (texel == TreadTexel{}) continue;
-        const std::size_t index = static_cast<std::size_t>(level) * kTexels +
-                                  static_cast<std::size_t>(wrapped(row)) * kSide +
-                                  static_cast<std::size_t>(wrapped(column));
-        image_[index] = texel;
-        painted_.push_back(static_cast<std::uint32_t>(index));
+  nodes.read(treading, page, 2 + static_cast<int>(std::ceil(aside_m / spacing_m)));
+  // Texels beside the page are reached by its outermost nodes.
+  const Range rows = middles_in(low_m.y - spacing_m, low_m.y + side_m, size_m);
+  const Range columns = middles_in(low_m.x - spacing_m, low_m.x + side_m, size_m);
+  struct Places {
+    Between middle, before, after;
+  };
+  std::vector<Places> across;
+  for (int column = columns.first; column < columns.end; ++column) {
+    const double x_m = size_m * (column + 0.5);
+    across.push_back({nodes.column_at(x_m), nodes.column_at(x_m - aside_m), nodes.column_at(x_m + aside_m)});
+  }
+  const bool is_last = level + 1 == layouts::kTreadLevels;
+  for (int row = rows.first; row < rows.end; ++row) {
+    const double y_m = size_m * (row + 0.5);
+    const Places up{nodes.row_at(y_m), nodes.row_at(y_m - aside_m), nodes.row_at(y_m + aside_m)};
+    for (int column = columns.first; column < columns.end; ++column) {
+      const double away_m = distance_m({size_m * (column + 0.5), y_m});
+      if (away_m >= most_m || away_m < least_m) continue;
+      const Places& at = across[static_cast<std::size_t>(column - columns.first)];
+      glm::vec4 tread;
+      if (aside_m > 0.0) {
+        tread = 0.25f * (nodes.sample(at.before, up.before) + nodes.sample(at.after, up.before) +
+                         nodes.sample(at.before, up.after) + nodes.sample(at.after, up.after));
+      } else {
+        tread = nodes.sample(at.middle, up.middle);
       }
+      if (is_last && away_m > start_m) tread *= static_cast<float>((most_m - away_m) / (most_m - start_m));
+      const TreadTexel texel = texel_of(tread);
+      if (texel == TreadTexel{}) continue;
+      painted.push_back({static_cast<std::uint32_t>(static_cast<std::size_t>(level) * kTexels +
+                                                    static_cast<std::size_t>(wrapped(row)) * kSide +
+                                                    static_cast<std::size_t>(wrapped(column))),
+                         texel});
     }
   }
 }

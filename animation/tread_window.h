@@ -28,7 +28,11 @@ class TreadWindow {
   std::span<const TreadTexel> image() const { return image_; }
 
  private:
-  void paint_page(const Treading& treading, PageIndex page);
+  struct Painted {
+    std::uint32_t index;  // in the image
+    TreadTexel texel;
+  };
+  void paint_page(const Treading& treading, PageIndex page, int level, std::vector<Painted>& painted) const;
 
   glm::dvec2 centre_m_{0.0};
   std::vector<TreadTexel> image_;

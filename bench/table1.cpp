@@ -36,15 +36,15 @@ speed_m_per_s = 4
 heading_deg = 60
 )";
 
-// Sixteen stones that roll round before the eye, all within the reach of interaction patches.
+// Seven stones that roll round before the eye, all within the reach of interaction patches.
 std::string movers() {
   std::string text;
-  for (int n = 0; n < 16; ++n) {
-    const double x = kEyeM.x - 13.0 + 3.0 * (n % 8), y = kEyeM.y + 13.0 + 5.0 * (n / 8);
+  for (int n = 0; n < 7; ++n) {
+    const double x = kEyeM.x - 13.0 + 6.5 * (n % 4), y = kEyeM.y + 13.0 + 6.0 * (n / 4);
     text += fmt::format(
-        "[[mover]]\nname = \"stone {}\"\nkind = \"stone\"\nradius_m = 1.4\nspeed_m_per_s = 3\nloops = true\n"
+        "[[mover]]\nname = \"stone {}\"\nkind = \"stone\"\nradius_m = 2\nspeed_m_per_s = 8.3\nloops = true\n"
         "path_m = [[{}, {}], [{}, {}], [{}, {}], [{}, {}]]\n",
-        static_cast<char>('a' + n), x, y, x + 5, y + 1, x + 4, y + 7, x - 1, y + 5);
+        static_cast<char>('a' + n), x, y, x + 7, y + 1, x + 6, y + 9, x - 1, y + 8);
   }
   return text;
 }
