@@ -78,7 +78,8 @@ class Words {
   [[noreturn]] void refuse(std::string_view found, const std::string& expected) const {
     constexpr std::size_t kShown = 40;
     throw BadInput(file_, fmt::format("line {}", line_),
-                   found.empty() ? "the end of the file" : fmt::format("\"{}\"", found.substr(0, kShown)), expected);
+                   found.empty() ? "the end of the file" : fmt::format("\"{}\"", found.substr(0, kShown)),
+                   expected);
   }
 
  private:
@@ -116,8 +117,10 @@ void read_channels(Words& words, BvhMotion& motion, BvhJoint& joint) {
 void read_hierarchy(Words& words, BvhMotion& motion) {
   std::vector<int> open;
   const auto begin_joint = [&](std::string_view name) {
-    if (motion.joints.size() == kMostBvhJoints) words.refuse(name, fmt::format("at most {} joints", kMostBvhJoints));
-    if (name.size() > kMostName) words.refuse(name, fmt::format("a name of at most {} characters", kMostName));
+    if (motion.joints.size() == kMostBvhJoints)
+      words.refuse(name, fmt::format("at most {} joints", kMostBvhJoints));
+    if (name.size() > kMostName)
+      words.refuse(name, fmt::format("a name of at most {} characters", kMostName));
     BvhJoint joint;
     joint.name = name;
     joint.parent = open.empty() ? -1 : open.back();
@@ -220,7 +223,8 @@ void place_joints(const BvhMotion& motion, std::size_t frame, std::span<glm::dve
         turn = turn * rotation_about(channel - 3, values[c]);
       }
     }
-    // A joint's position replaces its offset; programs that write them for every joint repeat the offset there.
+    // A joint's position replaces its offset; programs that write them for every joint repeat the offset
+    // there.
     if (moves) offset = moved;
     const bool has_parent = joint.parent >= 0;
     const std::size_t parent = has_parent ? static_cast<std::size_t>(joint.parent) : 0;

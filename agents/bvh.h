@@ -1,6 +1,6 @@
-// Recorded motion from a BVH file (Biovision hierarchy): a tree of joints with their offsets, and for each frame the values of
-// their channels. The format has no standard; this follows Meredith and Maddock 2001, "Motion Capture File Formats
-// Explained". A person's file is checked in full before it is believed.
+// Recorded motion from a BVH file (Biovision hierarchy): a tree of joints with their offsets, and for each
+// frame the values of their channels. The format has no standard; this follows Meredith and Maddock 2001,
+// "Motion Capture File Formats Explained". A person's file is checked in full before it is believed.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace prairie {
 enum class BvhChannel { kXPosition, kYPosition, kZPosition, kXRotation, kYRotation, kZRotation };
 
 struct BvhJoint {
-  std::string name;  // empty for an end site
-  int parent = -1;   // before it in the list; −1: none
+  std::string name;        // empty for an end site
+  int parent = -1;         // before it in the list; −1: none
   glm::dvec3 offset{0.0};  // from its parent, in the file's unit
   std::vector<BvhChannel> channels;
   std::size_t first_value = 0;  // of a frame's
@@ -36,8 +36,9 @@ struct BvhMotion {
 inline constexpr std::size_t kMostBvhBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMostBvhJoints = 1000;
 
-/// Throws BadInput, the line in its field, where the text is not BVH: braces that do not match, more joints than
-/// kMostBvhJoints, channels that are unknown, numbers that are none or not finite, too few or too many frames or values.
+/// Throws BadInput, the line in its field, where the text is not BVH: braces that do not match, more joints
+/// than kMostBvhJoints, channels that are unknown, numbers that are none or not finite, too few or too many
+/// frames or values.
 BvhMotion parse_bvh(std::string_view text, const std::string& file);
 /// `field` names what asked for the file.
 BvhMotion read_bvh(const std::filesystem::path& path, const std::string& field);

@@ -10,8 +10,8 @@
 namespace prairie {
 namespace {
 
-constexpr double kSteadying = 3.0;        // m/s², of the speed that the gait follows
-constexpr double kStandsBelow = 0.05;     // m/s
+constexpr double kSteadying = 3.0;     // m/s², of the speed that the gait follows
+constexpr double kStandsBelow = 0.05;  // m/s
 constexpr double kStandingHalfWidthM = 0.085;
 constexpr double kRestlessM = 0.10;       // a standing walker's foot, from where it should be
 constexpr double kRestlessCosine = 0.87;  // and turned away by 30 degrees
@@ -70,7 +70,8 @@ double hurry_of(const Footing& footing, const Gait& gait, const BodyStep& body) 
   for (std::size_t n = 0; n < 2; ++n) {
     const Foot& foot = footing.feet[n];
     if (!foot.planted) continue;
-    const double stretch = glm::distance(foot.position_m, home_m(footing, gait, body, n)) / (kStretchedM * footing.scale);
+    const double stretch =
+        glm::distance(foot.position_m, home_m(footing, gait, body, n)) / (kStretchedM * footing.scale);
     const double twist = 1.5 - glm::dot(foot.forward, body.forward);  // over 1 from 60 degrees on
     hurry = std::max(hurry, 1.0 + 6.0 * (std::max(stretch, twist) - 1.0));
   }
@@ -87,6 +88,7 @@ Footing standing(glm::dvec2 position_m, glm::dvec2 forward, double scale) {
   for (std::size_t n = 0; n < 2; ++n) {
     footing.feet[n].position_m = position_m + side_of(n) * kStandingHalfWidthM * scale * left_of(forward);
     footing.feet[n].forward = forward;
+    footing.feet[n].share = n == 0 ? 0.8 : 0.0;
   }
   return footing;
 }

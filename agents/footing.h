@@ -1,7 +1,8 @@
-// The simulated state of a walker's feet: where each stands or, on its way, is; each treads on its own (G03 §5.4). Plain data of
-// which all of the pose follows (agents/walker_pose.h). A foot that stands does not move until it lifts. One that swings goes
-// to where the body, at its speed, will be a part of a stance after it strikes. Standing walkers step only to bring their feet
-// back below them: after a stop, and as they turn on the spot.
+// The simulated state of a walker's feet: where each stands or, on its way, is; each treads on its own (G03
+// §5.4). Plain data of which all of the pose follows (agents/walker_pose.h). A foot that stands does not move
+// until it lifts. One that swings goes to where the body, at its speed, will be a part of a stance after it
+// strikes. Standing walkers step only to bring their feet back below them: after a stop, and as they turn on
+// the spot.
 //
 // Only + − × ÷ √ and floor, so that it is the same everywhere.
 #pragma once
@@ -14,7 +15,7 @@
 namespace prairie {
 
 struct Foot {
-  glm::dvec2 position_m{0.0};  // on the ground, below the ankle of the foot when it is flat
+  glm::dvec2 position_m{0.0};    // on the ground, below the ankle of the foot when it is flat
   glm::dvec2 forward{1.0, 0.0};  // unit
   bool planted = true;
   double share = 0.0;       // done of its stance or of its swing, 0…1
@@ -41,8 +42,8 @@ struct BodyStep {
   double grade = 0.0;            // rise of the ground along forward, per metre: on slopes steps are shorter
 };
 
-/// Moves the feet on by `dt_s`, 0…0.1, after which the body is there. A body that is suddenly more than two legs away from its
-/// feet stands there anew.
+/// Moves the feet on by `dt_s`, 0…0.1, after which the body is there. A body that is suddenly more than two
+/// legs away from its feet stands there anew.
 void advance(Footing& footing, const Gait& gait, const BodyStep& body, double dt_s);
 
 /// Place of a foot in the cycle of the gait's key frames, in which it stands for `gait.stance`.

@@ -9,7 +9,8 @@ namespace {
 
 // Below this share of the recorded speed the cadence stays.
 constexpr double kSlowest = 0.4;
-// Of the share of a stride for which a foot stands, per metre a second (Murray et al. 1984: 0.66 slow, 0.60 fast).
+// Of the share of a stride for which a foot stands, per metre a second (Murray et al. 1984: 0.66 slow, 0.60
+// fast).
 constexpr double kStanceSlope = -0.04;
 constexpr double kMostAmplitude = 1.3;
 
@@ -26,7 +27,9 @@ double at_phase(const Gait& gait, GaitCurve curve, double phase) {
   const double place = (phase - std::floor(phase)) * static_cast<double>(kGaitKeyCount);
   const std::size_t first = std::min(static_cast<std::size_t>(place), kGaitKeyCount - 1);
   const double t = place - static_cast<double>(first), s = 1.0 - t;
-  const auto key = [&](std::size_t steps) { return keys[(first + kGaitKeyCount - 1 + steps) % kGaitKeyCount]; };
+  const auto key = [&](std::size_t steps) {
+    return keys[(first + kGaitKeyCount - 1 + steps) % kGaitKeyCount];
+  };
   const double p0 = key(1), p3 = key(2);
   const double p1 = p0 + (p3 - key(0)) / 6.0, p2 = p3 - (key(3) - p0) / 6.0;
   return s * s * (s * p0 + 3.0 * t * p1) + t * t * (3.0 * s * p2 + t * p3);

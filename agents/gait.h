@@ -1,13 +1,16 @@
-// How a walker moves: key frames of a recorded walk cycle, cubic Bézier curves between them, and an amplitude that follows the
-// speed (G03 §5.3). Each curve passes through its key frames; its inner control points lie along the chord between the
-// neighbours, a sixth of it away, so that it is once continuously differentiable and periodic.
+// How a walker moves: key frames of a recorded walk cycle, cubic Bézier curves between them, and an amplitude
+// that follows the speed (G03 §5.3). Each curve passes through its key frames; its inner control points lie
+// along the chord between the neighbours, a sixth of it away, so that it is once continuously differentiable
+// and periodic.
 //
-// Deviation: the legs' angles are not key frames. The recorded cycle gives the soles (their pitch and their clearance), the
-// pelvis, trunk and arms; hips and knees follow from where the feet stand (agents/walker_pose.h), so that feet do not slide.
+// Deviation: the legs' angles are not key frames. The recorded cycle gives the soles (their pitch and their
+// clearance), the pelvis, trunk and arms; hips and knees follow from where the feet stand
+// (agents/walker_pose.h), so that feet do not slide.
 //
-// Stride and cadence: of walkers at freely chosen speeds both grow with the square root of the speed, their quotient staying
-// the same (Sekiya and Nagasaki 1998, "Reproducibility of the walking patterns of normal young adults"), and walkers of
-// another size move alike at the same Froude number (Alexander 1989). Very slow ones keep a cadence and shorten the stride.
+// Stride and cadence: of walkers at freely chosen speeds both grow with the square root of the speed, their
+// quotient staying the same (Sekiya and Nagasaki 1998, "Reproducibility of the walking patterns of normal
+// young adults"), and walkers of another size move alike at the same Froude number (Alexander 1989). Very
+// slow ones keep a cadence and shorten the stride.
 #pragma once
 
 #include <array>
@@ -15,21 +18,21 @@
 
 namespace prairie {
 
-/// What a key frame holds. Angles in radians; lengths as shares of the leg, hip to ankle. Of the two sides it is the left;
-/// the right does the same half a cycle later, mirrored.
+/// What a key frame holds. Angles in radians; lengths as shares of the leg, hip to ankle. Of the two sides it
+/// is the left; the right does the same half a cycle later, mirrored.
 enum class GaitCurve {
-  kPelvisRise,   // hips over the ankle of a foot that stands flat
-  kPelvisSway,   // to the left
-  kPelvisYaw,    // of the line through the hips, counter-clockwise from above
-  kPelvisList,   // of the same, left hip up
-  kChestYaw,     // of the line through the shoulders
+  kPelvisRise,  // hips over the ankle of a foot that stands flat
+  kPelvisSway,  // to the left
+  kPelvisYaw,   // of the line through the hips, counter-clockwise from above
+  kPelvisList,  // of the same, left hip up
+  kChestYaw,    // of the line through the shoulders
   kChestList,
-  kChestPitch,   // of the trunk, forward
-  kArmSwing,     // of the upper arm, forward
-  kArmSpread,    // of the same, away from the body
-  kElbow,        // flexion
-  kSolePitch,    // toes up
-  kSoleLift,     // of the sole's lowest point, over the ground
+  kChestPitch,  // of the trunk, forward
+  kArmSwing,    // of the upper arm, forward
+  kArmSpread,   // of the same, away from the body
+  kElbow,       // flexion
+  kSolePitch,   // toes up
+  kSoleLift,    // of the sole's lowest point, over the ground
 };
 inline constexpr std::size_t kGaitCurveCount = 12;
 inline constexpr std::size_t kGaitKeyCount = 16;

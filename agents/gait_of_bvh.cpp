@@ -17,7 +17,8 @@
 namespace prairie {
 namespace {
 
-/// Of one side. Below, the names that files give them, the likeliest first, beside "left", "right" or their first letters.
+/// Of one side. Below, the names that files give them, the likeliest first, beside "left", "right" or their
+/// first letters.
 enum Part { kHip, kKnee, kAnkle, kToes, kShoulder, kElbow, kWrist, kPartCount };
 constexpr std::array<std::string_view, 5> kHipNames = {"upleg", "thigh", "upperleg", "femur", "hip"};
 constexpr std::array<std::string_view, 6> kKneeNames = {"leg", "lowleg", "shin", "calf", "lowerleg", "knee"};
@@ -61,17 +62,24 @@ class JointFinder {
       for (int part = 0; part < kPartCount; ++part) {
         auto found = find_part(part, right);
         // Short skeletons end in the foot, and its end site is the toes.
-        if (!found && part == kToes && find_part(kAnkle, right)) found = end_site_of(*find_part(kAnkle, right));
-        if (found) joints.of_side[right ? 1 : 0][static_cast<std::size_t>(part)] = *found;
-        else missing_.push_back(fmt::format("{} {}", right ? "right" : "left", kPartShown[static_cast<std::size_t>(part)]));
+        if (!found && part == kToes && find_part(kAnkle, right))
+          found = end_site_of(*find_part(kAnkle, right));
+        if (found)
+          joints.of_side[right ? 1 : 0][static_cast<std::size_t>(part)] = *found;
+        else
+          missing_.push_back(
+              fmt::format("{} {}", right ? "right" : "left", kPartShown[static_cast<std::size_t>(part)]));
       }
     }
     const auto neck = find_any({"neck", "neck1", "head"});
-    if (neck) joints.neck = *neck;
-    else missing_.push_back("neck");
+    if (neck)
+      joints.neck = *neck;
+    else
+      missing_.push_back("neck");
     if (!missing_.empty()) {
-      throw BadInput(motion_.file, "joints", fmt::format("no {}", fmt::join(missing_, ", no ")),
-                     "hips, knees, ankles, toes, shoulders, elbows, wrists and a neck under their usual names");
+      throw BadInput(
+          motion_.file, "joints", fmt::format("no {}", fmt::join(missing_, ", no ")),
+          "hips, knees, ankles, toes, shoulders, elbows, wrists and a neck under their usual names");
     }
     return joints;
   }
@@ -118,17 +126,19 @@ struct Walk {
   std::string file;
   double frame_s = 0.0;
   double leg_m = 0.0;
-  double ankle_m = 0.0;                 // height of an ankle whose foot stands flat
-  std::array<double, 2> flat_rad{};     // pitch of ankle to toes there
+  double ankle_m = 0.0;              // height of an ankle whose foot stands flat
+  std::array<double, 2> flat_rad{};  // pitch of ankle to toes there
   std::vector<WalkFrame> frames;
 };
 
 [[noreturn]] void refuse(const BvhMotion& motion, const std::string& found) {
-  throw BadInput(motion.file, "motion", found, "a recorded walk, nearly straight, of at least one whole stride");
+  throw BadInput(motion.file, "motion", found,
+                 "a recorded walk, nearly straight, of at least one whole stride");
 }
 
 double quantile(Curve values, double share) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
@@ -195,8 +205,8 @@ Walk measured_walk(const BvhMotion& motion, const Joints& joints, std::optional<
   return walk;
 }
 
-/// Where a curve is highest in reach of ±reach frames, between frames by the parabola through three; not at the ends, where
-/// it may still be rising.
+/// Where a curve is highest in reach of ±reach frames, between frames by the parabola through three; not at
+/// the ends, where it may still be rising.
 Curve peaks(const Curve& values, std::size_t reach) {
   Curve found;
   for (std::size_t n = 1; n + 1 < values.size(); ++n) {
@@ -215,6 +225,18 @@ struct Events {
   Curve strikes, toe_offs;  // in frames
 };
 
+/// The toes are farthest behind only once they are as fast as the hips. From that frame back to where they
+/// left their place.
+double left_place(const Walk& walk, std::size_t side, double farthest_behind) {
+  const auto last = static_cast<std::size_t>(farthest_behind);
+  const auto earlier = static_cast<std::size_t>(std::min(0.25 / walk.frame_s, farthest_behind));
+  const auto toes_m = [&](std::size_t n) { return walk.frames[n].places_m[side][kToes].x; };
+  const double stood_m = toes_m(last - earlier);
+  std::size_t n = last;
+  while (n > last - earlier && toes_m(n) - stood_m > 0.03 * walk.leg_m) --n;
+  return static_cast<double>(n);
+}
+
 Events events_of(const Walk& walk, std::size_t side) {
   Curve ahead, behind;
   for (const WalkFrame& frame : walk.frames) {
@@ -224,8 +246,11 @@ Events events_of(const Walk& walk, std::size_t side) {
   constexpr double kReachS = 0.35;
   const auto reach = static_cast<std::size_t>(std::max(kReachS / walk.frame_s, 1.0));
   Events events{peaks(ahead, reach), peaks(behind, reach)};
-  std::erase_if(events.strikes, [&](double n) { return ahead[static_cast<std::size_t>(n)] < 0.1 * walk.leg_m; });
-  std::erase_if(events.toe_offs, [&](double n) { return behind[static_cast<std::size_t>(n)] < 0.1 * walk.leg_m; });
+  std::erase_if(events.strikes,
+                [&](double n) { return ahead[static_cast<std::size_t>(n)] < 0.1 * walk.leg_m; });
+  std::erase_if(events.toe_offs,
+                [&](double n) { return behind[static_cast<std::size_t>(n)] < 0.1 * walk.leg_m; });
+  for (double& toe_off : events.toe_offs) toe_off = left_place(walk, side, toe_off);
   return events;
 }
 
@@ -236,15 +261,19 @@ std::array<double, kGaitCurveCount> key_values(const Walk& walk, const WalkFrame
   const auto& far = frame.places_m[1 - side];
   const auto mirrored = [mirror](glm::dvec3 v) { return glm::dvec3(v.x, mirror * v.y, v.z); };
   const auto yaw_of = [](glm::dvec3 leftward) { return std::atan2(-leftward.x, leftward.y); };
-  const glm::dvec3 hips = mirrored(near[kHip] - far[kHip]), shoulders = mirrored(near[kShoulder] - far[kShoulder]);
+  const glm::dvec3 hips = mirrored(near[kHip] - far[kHip]),
+                   shoulders = mirrored(near[kShoulder] - far[kShoulder]);
   const glm::dvec3 trunk = frame.neck_m - frame.hips_m();
-  const glm::dvec3 upper = mirrored(near[kElbow] - near[kShoulder]), lower = mirrored(near[kWrist] - near[kElbow]);
+  const glm::dvec3 upper = mirrored(near[kElbow] - near[kShoulder]),
+                   lower = mirrored(near[kWrist] - near[kElbow]);
   const glm::dvec3 foot = near[kToes] - near[kAnkle];
   const double pitch = pitch_of(foot) - walk.flat_rad[side];
   const double bend = glm::dot(upper, lower) / std::max(glm::length(upper) * glm::length(lower), 1e-9);
   const double rolled = (rolled_ankle(pitch).y - kAnkleHeightM) / kLegM;
   std::array<double, kGaitCurveCount> values{};
-  const auto set = [&values](GaitCurve curve, double value) { values[static_cast<std::size_t>(curve)] = value; };
+  const auto set = [&values](GaitCurve curve, double value) {
+    values[static_cast<std::size_t>(curve)] = value;
+  };
   set(GaitCurve::kPelvisRise, (frame.hips_m().z - walk.ankle_m) / walk.leg_m);
   set(GaitCurve::kPelvisSway, mirror * frame.hips_m().y / walk.leg_m);
   set(GaitCurve::kPelvisYaw, yaw_of(hips));
@@ -270,11 +299,13 @@ std::array<double, kGaitCurveCount> values_at(const Walk& walk, std::size_t side
   return values;
 }
 
-/// What belongs to both sides is the same half a cycle later, or the opposite. The trunk's lean and the soles' clearance are
-/// known but for a constant, which depends on where the file's joints lie in the body.
+/// What belongs to both sides is the same half a cycle later, or the opposite. The trunk's lean and the
+/// soles' clearance are known but for a constant, which depends on where the file's joints lie in the body.
 void make_symmetric(Gait& gait) {
   constexpr std::size_t kHalf = kGaitKeyCount / 2;
-  const auto keys_of = [&gait](GaitCurve curve) -> auto& { return gait.keys[static_cast<std::size_t>(curve)]; };
+  const auto keys_of = [&gait](GaitCurve curve) -> auto& {
+    return gait.keys[static_cast<std::size_t>(curve)];
+  };
   const auto fold = [&](GaitCurve curve, double sign) {
     auto& keys = keys_of(curve);
     for (std::size_t n = 0; n < kHalf; ++n) {
@@ -291,7 +322,8 @@ void make_symmetric(Gait& gait) {
   const double mean = std::accumulate(pitch.begin(), pitch.end(), 0.0) / static_cast<double>(kGaitKeyCount);
   for (double& key : pitch) key -= mean;
   auto& lift = keys_of(GaitCurve::kSoleLift);
-  const double floor = std::accumulate(lift.begin() + 2, lift.begin() + 7, 0.0) / 5.0;  // while the foot is flat
+  const double floor =
+      std::accumulate(lift.begin() + 2, lift.begin() + 7, 0.0) / 5.0;  // while the foot is flat
   for (double& key : lift) key = std::max(key - floor, 0.0);
 }
 
@@ -337,7 +369,8 @@ Gait gait_of(const BvhMotion& motion, std::optional<double> unit_m) {
       }
     }
   }
-  if (cycles == 0.0 || stances == 0.0) refuse(motion, "no foot that strikes twice and leaves the ground between");
+  if (cycles == 0.0 || stances == 0.0)
+    refuse(motion, "no foot that strikes twice and leaves the ground between");
   gait.period_s /= cycles;
   gait.speed_m_per_s /= cycles;
   gait.stance /= stances;
@@ -350,7 +383,7 @@ Gait gait_of(const BvhMotion& motion, std::optional<double> unit_m) {
 
   if (!(gait.period_s > 0.4 && gait.period_s < 4.0 && gait.speed_m_per_s > 0.2 && gait.speed_m_per_s < 4.0))
     refuse(motion, fmt::format("{:.2f} m/s in strides of {:.2f} s", gait.speed_m_per_s, gait.period_s));
-  if (!(gait.stance > 0.5 && gait.stance < 0.75 && gait.lead > 0.2 && gait.lead < 0.7))
+  if (!(gait.stance > 0.45 && gait.stance < 0.75 && gait.lead > 0.2 && gait.lead < 0.7))
     refuse(motion, fmt::format("feet that stand {:.2f} of a stride", gait.stance));
   return gait;
 }

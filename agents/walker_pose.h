@@ -1,6 +1,7 @@
-// The pose of a walker: a pure function of its gait, its feet and where its body is (G03 §5.3). Pelvis, trunk and arms follow the
-// key curves; the legs reach the feet by the law of cosines, knees forward; a foot rolls over heel and toes on the ground's
-// slope below it (agents/sole.h). The pelvis sinks where a leg would not reach, as on steep ground.
+// The pose of a walker: a pure function of its gait, its feet and where its body is (G03 §5.3). Pelvis, trunk
+// and arms follow the key curves; the legs reach the feet by the law of cosines, knees forward; a foot rolls
+// over heel and toes on the ground's slope below it (agents/sole.h). The pelvis sinks where a leg would not
+// reach, as on steep ground.
 //
 // Deviation: G03 adapts the whole skeleton's amplitude only; here what touches the ground is placed first.
 #pragma once

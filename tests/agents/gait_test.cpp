@@ -70,7 +70,8 @@ TEST_F(RecordedWalks, TheGaitThatComesAlongIsMadeFromItsRecording) {
   EXPECT_NEAR(made.lead, gait.lead, 1e-5);
   EXPECT_NEAR(made.half_width, gait.half_width, 1e-5);
   for (std::size_t n = 0; n < kGaitCurveCount; ++n) {
-    for (std::size_t key = 0; key < kGaitKeyCount; ++key) EXPECT_NEAR(made.keys[n][key], gait.keys[n][key], 2e-5);
+    for (std::size_t key = 0; key < kGaitKeyCount; ++key)
+      EXPECT_NEAR(made.keys[n][key], gait.keys[n][key], 2e-5);
   }
 }
 

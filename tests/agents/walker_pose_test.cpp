@@ -53,12 +53,13 @@ double over_ground_m(const HeightField& ground, glm::dvec3 point_m) {
 
 /// What bar of the drawn figure is worst, over a walk.
 struct Worst {
-  double slide_m = 0.0;         // of the point of a sole that carries, over a stance
-  double off_ground_m = 0.0;    // of a standing foot's lowest point
-  double in_ground_m = 0.0;     // of any point of any sole
-  double unreached_m = 0.0;     // of feet that the legs had to pull
-  double jump_m = 0.0;          // of a joint in a step, beyond what 5 m/s and the body's own move explain
-  double least_knee = 1.0;      // sine of the knee's bend, forward
+  double slide_m = 0.0;        // of the point of a sole that carries, over a stance
+  double off_ground_m = 0.0;   // of a standing foot's lowest point
+  double in_ground_m = 0.0;    // of any point of any sole
+  double unreached_m = 0.0;    // of feet that the legs had to pull
+  double jump_m = 0.0;         // of a joint's place from where its last two would lead it
+  double speed_m_per_s = 0.0;  // of a joint
+  double least_knee = 1.0;     // sine of the knee's bend, forward
   double most_knee_rad = 0.0;
   double least_pelvis_m = 10.0;  // over the ground
 };
@@ -72,11 +73,19 @@ struct Walk {
   double speed_m_per_s = 0.0;
   Worst worst{};
   WalkerPose last{};
-  bool has_last = false;
-  std::array<SolePoints, 2> struck{};
+  WalkerPose before_last{};
+  int steps = 0;
+  struct Stance {
+    glm::dvec3 heel_m{0.0}, ball_m{0.0};
+    bool on_ball = false;
+  };
+  std::array<Stance, 2> struck{};
 
   explicit Walk(const HeightField& on, double heading = 0.0, double size = 1.0)
-      : ground(on), scale(size), footing(standing({0.0, 0.0}, direction_of(heading), size)), heading_rad(heading) {}
+      : ground(on),
+        scale(size),
+        footing(standing({0.0, 0.0}, direction_of(heading), size)),
+        heading_rad(heading) {}
 
   void step(double wanted_m_per_s, double turn_rad_per_s) {
     heading_rad += turn_rad_per_s * kStepS;
@@ -89,8 +98,9 @@ struct Walk {
     advance(footing, recorded_gait(), body, kStepS);
     const WalkerPose pose = pose_of(recorded_gait(), footing, body.position_m, body.forward, ground);
     measure(before, pose);
+    before_last = last;
     last = pose;
-    has_last = true;
+    ++steps;
   }
   void walk(double seconds, double wanted_m_per_s, double turn_rad_per_s = 0.0) {
     for (double t = 0.0; t < seconds; t += kStepS) step(wanted_m_per_s, turn_rad_per_s);
@@ -109,28 +119,31 @@ struct Walk {
       if (footing.feet[n].planted) {
         worst.off_ground_m = std::max(worst.off_ground_m, std::min(heel_m, ball_m));
         // The heel carries until the foot is flat, the ball from then on.
-        if (!before.feet[n].planted || !has_last) struck[n] = sole;
-        const bool on_heel = ball_m > heel_m + 0.002;
-        if (on_heel) worst.slide_m = std::max(worst.slide_m, glm::distance(sole.heel_m, struck[n].heel_m));
-        else if (!on_heel && footing.feet[n].share > 0.3) {
-          if (before.feet[n].share <= 0.3) struck[n].ball_m = sole.ball_m;
-          worst.slide_m = std::max(worst.slide_m, glm::distance(sole.ball_m, struck[n].ball_m));
-        }
+        const bool strikes = !before.feet[n].planted || steps == 0, on_ball = ball_m <= heel_m + 0.002;
+        if (strikes) struck[n] = {.heel_m = sole.heel_m, .ball_m = sole.ball_m, .on_ball = false};
+        if (on_ball && !struck[n].on_ball) struck[n] = {struck[n].heel_m, sole.ball_m, true};
+        worst.slide_m = std::max(worst.slide_m, on_ball ? glm::distance(sole.ball_m, struck[n].ball_m)
+                                                        : glm::distance(sole.heel_m, struck[n].heel_m));
       }
-      const glm::dvec3 thigh = glm::normalize(hip_m - knee.place_m), shank = glm::normalize(knee.place_m - ankle.place_m);
-      const double bend = glm::dot(glm::cross(thigh, shank), -knee.axes[1]);
+      const glm::dvec3 thigh = glm::normalize(hip_m - knee.place_m),
+                       shank = glm::normalize(knee.place_m - ankle.place_m);
+      const double bend = glm::dot(glm::cross(thigh, shank), knee.axes[1]);
       worst.least_knee = std::min(worst.least_knee, bend);
       // The knee's front faces ahead.
       EXPECT_GT(glm::dot(knee.axes[0], glm::dvec3(body.forward, 0.0)), 0.0);
-      worst.most_knee_rad = std::max(worst.most_knee_rad, std::acos(std::clamp(glm::dot(thigh, shank), -1.0, 1.0)));
-      worst.unreached_m = std::max(worst.unreached_m, std::abs(glm::distance(knee.place_m, ankle.place_m) - scale * kShankM));
+      worst.most_knee_rad =
+          std::max(worst.most_knee_rad, std::acos(std::clamp(glm::dot(thigh, shank), -1.0, 1.0)));
+      worst.unreached_m =
+          std::max(worst.unreached_m, std::abs(glm::distance(knee.place_m, ankle.place_m) - scale * kShankM));
     }
     const glm::dvec3 pelvis_m = pose[0].place_m;
     worst.least_pelvis_m = std::min(worst.least_pelvis_m, over_ground_m(ground, pelvis_m));
-    if (!has_last) return;
+    if (steps < 2) return;
     for (std::size_t n = 0; n < kJointCount; ++n) {
-      const double moved_m = glm::distance(pose[n].place_m, last[n].place_m);
-      worst.jump_m = std::max(worst.jump_m, moved_m - 3.4 * std::max(body.speed_m_per_s, 0.5) * kStepS);
+      const glm::dvec3 moved_m = pose[n].place_m - last[n].place_m;
+      worst.speed_m_per_s = std::max(worst.speed_m_per_s, glm::length(moved_m) / kStepS);
+      worst.jump_m =
+          std::max(worst.jump_m, glm::length(moved_m - (last[n].place_m - before_last[n].place_m)));
     }
   }
 };
@@ -139,18 +152,11 @@ void expect_bars(const Worst& worst) {
   EXPECT_LE(worst.slide_m, 0.02);
   EXPECT_LE(worst.off_ground_m, 0.02);
   EXPECT_LE(worst.in_ground_m, 0.02);
-  EXPECT_GE(worst.least_knee, -1e-6);
+  EXPECT_GE(worst.least_knee, 0.05);
   EXPECT_LE(worst.most_knee_rad, 2.2);
-  EXPECT_LE(worst.jump_m, 0.02);
+  EXPECT_LE(worst.jump_m, 0.06);  // of a knee that straightens, at 2 m/s
+  EXPECT_LE(worst.speed_m_per_s, 9.0);
   EXPECT_LE(worst.unreached_m, 1e-6);
-}
-
-void record(const Worst& worst) {
-  const auto millimetres = [](double m) { return static_cast<int>(std::lround(1000.0 * m)); };
-  ::testing::Test::RecordProperty("slide_mm", millimetres(worst.slide_m));
-  std::printf("slide %.4f off %.4f in %.4f jump %.4f knee %.4f..%.2f rad pelvis %.3f m\n", worst.slide_m, worst.off_ground_m,
-              worst.in_ground_m, worst.jump_m, worst.least_knee, worst.most_knee_rad, worst.least_pelvis_m);
-  (void)millimetres;
 }
 
 TEST(WalkerPose, StandsUprightWithFlatFeet) {
@@ -172,9 +178,8 @@ TEST(WalkerPose, FeetStandOnLevelGroundAtEverySpeed) {
     Walk walk(level);
     walk.walk(8.0, speed);
     walk.walk(2.5, 0.0);
-    record(walk.worst);
     expect_bars(walk.worst);
-    EXPECT_GT(walk.worst.least_pelvis_m, 0.85);
+    EXPECT_GT(walk.worst.least_pelvis_m, 0.78);
   }
 }
 
@@ -186,22 +191,21 @@ TEST(WalkerPose, FeetStandOnSlopesOfTwentyDegrees) {
       Walk walk(slope, heading);
       walk.walk(8.0, speed);
       walk.walk(2.5, 0.0);
-      record(walk.worst);
       expect_bars(walk.worst);
-      EXPECT_GT(walk.worst.least_pelvis_m, 0.7);
+      EXPECT_GT(walk.worst.least_pelvis_m, 0.68);
     }
   }
 }
 
 TEST(WalkerPose, FeetStandAlongCurvesAndOnHills) {
-  const HeightField hills = ground_of([](glm::dvec2 p) { return 2.0 * std::sin(0.15 * p.x) * std::cos(0.12 * p.y); });
+  const HeightField hills =
+      ground_of([](glm::dvec2 p) { return 2.0 * std::sin(0.15 * p.x) * std::cos(0.12 * p.y); });
   for (const double turn : {-0.8, -0.3, 0.3, 0.8}) {
     SCOPED_TRACE(turn);
     Walk walk(hills, 0.4);
     walk.walk(12.0, 1.18, turn);
     walk.walk(3.0, 0.0, turn);
     walk.walk(4.0, 1.8, -turn);
-    record(walk.worst);
     expect_bars(walk.worst);
   }
 }
@@ -212,7 +216,6 @@ TEST(WalkerPose, WalkersOfOtherHeightsWalkAsWell) {
     SCOPED_TRACE(scale);
     Walk walk(level, 0.0, scale);
     walk.walk(6.0, 1.2);
-    record(walk.worst);
     expect_bars(walk.worst);
   }
 }

@@ -1,4 +1,5 @@
-// A walk made for tests, as text of a BVH file: stiff legs that swing to and fro once a second.
+// A walk made for tests, as text of a BVH file: stiff legs that swing once a second, back in 0.6 s as the
+// feet stand.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,18 +15,24 @@ using BvhNames = std::map<std::string, std::string>;
 
 inline BvhNames walking_bvh_names() {
   BvhNames names;
-  for (const char* name : {"Neck", "LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToeBase", "RightUpLeg", "RightLeg",
-                           "RightFoot", "RightToeBase", "LeftArm", "LeftForeArm", "LeftHand", "RightArm",
-                           "RightForeArm", "RightHand"}) {
+  for (const char* name :
+       {"Neck", "LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToeBase", "RightUpLeg", "RightLeg", "RightFoot",
+        "RightToeBase", "LeftArm", "LeftForeArm", "LeftHand", "RightArm", "RightForeArm", "RightHand"}) {
     names[name] = name;
   }
   return names;
 }
 
+inline double swing_degrees(double time_s) {
+  const double phase = time_s - std::floor(time_s), back = (phase - 0.6) / 0.4;
+  return 24.7 * (phase < 0.6 ? 1.0 - phase / 0.3 : 2.0 * back * back * (3.0 - 2.0 * back) - 1.0);
+}
+
 /// 50 frames a second; centimetres, a leg of 86.
 inline std::string walking_bvh(const BvhNames& names, int frames, double speed_m_per_s = 1.2) {
   std::string text =
-      "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Zrotation Yrotation Xrotation\n";
+      "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Zrotation Yrotation "
+      "Xrotation\n";
   const auto begin = [&](const char* name, double x, double y, double z, bool turns = false) {
     text += fmt::format("JOINT {}\n{{\nOFFSET {} {} {}\nCHANNELS {}\n", names.at(name), x, y, z,
                         turns ? "1 Xrotation" : "0");
@@ -49,9 +56,9 @@ inline std::string walking_bvh(const BvhNames& names, int frames, double speed_m
   }
   text += fmt::format("}}\nMOTION\nFrames: {}\nFrame Time: 0.02\n", frames);
   for (int n = 0; n < frames; ++n) {
-    const double time_s = 0.02 * n, swing = 20.0 * std::sin(2.0 * 3.14159265358979 * time_s);
-    text += fmt::format("0 92 {:.4f} 0 0 0 {:.4f} {:.4f} {:.4f} {:.4f}\n", 100.0 * speed_m_per_s * time_s, -swing, swing,
-                        swing, -swing);
+    const double time_s = 0.02 * n, left = swing_degrees(time_s), right = swing_degrees(time_s + 0.5);
+    text += fmt::format("0 92 {:.4f} 0 0 0 {:.4f} {:.4f} {:.4f} {:.4f}\n", 100.0 * speed_m_per_s * time_s,
+                        -left, left, -right, right);
   }
   return text;
 }
