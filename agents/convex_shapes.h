@@ -114,11 +114,14 @@ struct BoxCore {
   }
   glm::vec<D, Real> point(std::uint32_t index) const {
     glm::vec<D, Real> point = centre;
-    for (int axis = 0; axis < D; ++axis)
-      point += ((index >> axis) & 1) != 0 ? -half_axes[axis] : half_axes[axis];
+    for (int axis = 0; axis < D; ++axis) point += kSigns[index & 7][axis] * half_axes[axis];
     return point;
   }
   Real extent() const { return glm::dot(glm::abs(centre), glm::vec<D, Real>(Real(1))) + half_extent; }
+
+ private:
+  static constexpr Real kSigns[8][3] = {{1, 1, 1},  {-1, 1, 1},  {1, -1, 1},  {-1, -1, 1},
+                                        {1, 1, -1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, -1}};
 };
 
 template <int D, typename Stored, typename Real>

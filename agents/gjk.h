@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <tuple>
 #include <type_traits>
-#include <utility>
 
 #include "agents/convex_shapes.h"
 #include "agents/expanding_polytope.h"
@@ -73,17 +71,6 @@ struct CoreDistance {
 };
 
 template <int D, typename Real, typename CoreA, typename CoreB>
-std::pair<glm::vec<D, Real>, glm::vec<D, Real>> points_of(const CoreA& a, const CoreB& b,
-                                                          const Simplex<D, Real>& simplex) {
-  glm::vec<D, Real> on_a(Real(0)), on_b(Real(0));
-  for (int i = 0; i < simplex.count; ++i) {
-    on_a += simplex.weights[i] * a.point(static_cast<std::uint32_t>(simplex.keys[i] >> 32));
-    on_b += simplex.weights[i] * b.point(static_cast<std::uint32_t>(simplex.keys[i]));
-  }
-  return {on_a, on_b};
-}
-
-template <int D, typename Real, typename CoreA, typename CoreB>
 [[gnu::noinline]] CoreDistance<D, Real> core_depth(const CoreA& a, const CoreB& b, Real tolerance) {
   const Penetration<D, Real> out = penetration<D, Real>(
       [&](const glm::vec<D, Real>& direction) {
@@ -93,7 +80,10 @@ template <int D, typename Real, typename CoreA, typename CoreB>
       },
       tolerance);
   CoreDistance<D, Real> found;
-  std::tie(found.answer.point_on_a_m, found.answer.point_on_b_m) = points_of(a, b, out.face);
+  for (int i = 0; i < out.face.count; ++i) {
+    found.answer.point_on_a_m += out.face.weights[i] * a.point(static_cast<std::uint32_t>(out.face.keys[i] >> 32));
+    found.answer.point_on_b_m += out.face.weights[i] * b.point(static_cast<std::uint32_t>(out.face.keys[i]));
+  }
   found.answer.distance_m = -out.depth;
   found.answer.normal = out.normal;
   found.answer.iterations = out.iterations;
@@ -114,8 +104,8 @@ template <int D, typename Real, typename CoreA, typename CoreB>
     simplex.count = std::min(static_cast<int>(cache.count), D + 1);
     for (int i = 0; i < simplex.count; ++i) {
       simplex.keys[i] = cache.keys[i];
-      simplex.points[i] = a.point(static_cast<std::uint32_t>(cache.keys[i] >> 32)) -
-                          b.point(static_cast<std::uint32_t>(cache.keys[i]));
+      simplex.on_a[i] = a.point(static_cast<std::uint32_t>(cache.keys[i] >> 32));
+      simplex.points[i] = simplex.on_a[i] - b.point(static_cast<std::uint32_t>(cache.keys[i]));
     }
     const SimplexFace<D, Real> face = nearest_to_origin(simplex);
     if (face.count > 0) {
@@ -144,6 +134,7 @@ template <int D, typename Real, typename CoreA, typename CoreB>
     if (is_known) break;
 
     simplex.points[simplex.count] = point;
+    simplex.on_a[simplex.count] = on_a.point;
     simplex.keys[simplex.count] = key;
     ++simplex.count;
     const SimplexFace<D, Real> face = nearest_to_origin(simplex);
@@ -166,8 +157,12 @@ template <int D, typename Real, typename CoreA, typename CoreB>
   }
 
   CoreDistance<D, Real> found;
-  std::tie(found.answer.point_on_a_m, found.answer.point_on_b_m) = points_of(a, b, simplex);
-  const Vector apart = found.answer.point_on_b_m - found.answer.point_on_a_m;
+  Vector apart(Real(0));  // from B's point to A's
+  for (int i = 0; i < simplex.count; ++i) {
+    apart += simplex.weights[i] * simplex.points[i];
+    found.answer.point_on_a_m += simplex.weights[i] * simplex.on_a[i];
+  }
+  found.answer.point_on_b_m = found.answer.point_on_a_m - apart;
   const Real per_length = Real(1) / std::sqrt(squared);
   found.answer.normal = -per_length * nearest;
   found.answer.distance_m = std::sqrt(glm::dot(apart, apart));

@@ -21,6 +21,7 @@ template <int D, typename Real>
 struct Simplex {
   int count = 0;
   std::array<glm::vec<D, Real>, D + 1> points;
+  std::array<glm::vec<D, Real>, D + 1> on_a;  // the support points in A
   std::array<std::uint64_t, D + 1> keys;  // index in A << 32 | index in B
   std::array<Real, D + 1> weights;        // of the nearest point; positive, their sum is 1
 };
@@ -168,6 +169,7 @@ template <int D, typename Real>
 void reduce(Simplex<D, Real>& simplex, const SimplexFace<D, Real>& face) {
   for (int i = 0; i < face.count; ++i) {
     simplex.points[i] = simplex.points[face.vertices[i]];
+    simplex.on_a[i] = simplex.on_a[face.vertices[i]];
     simplex.keys[i] = simplex.keys[face.vertices[i]];
     simplex.weights[i] = face.weights[i];
   }
