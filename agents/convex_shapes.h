@@ -63,7 +63,15 @@ struct PlacedHull {
 inline constexpr std::size_t kLeastClimbedVertices = 48;
 
 // Cores, relative to an origin near them, in the precision of the query. `support` is the farthest point along a
-// direction of any length, with the number by which `point` finds it again in the same shape.
+// direction of any length, with the number by which `point` finds it again in the same shape; `extent` bounds the size of
+// all coordinates.
+
+template <int D, typename Real>
+Real largest_of(const glm::vec<D, Real>& size) {
+  Real largest = size[0];
+  for (int axis = 1; axis < D; ++axis) largest = size[axis] > largest ? size[axis] : largest;
+  return largest;
+}
 
 template <int D, typename Real>
 struct SupportPoint {
@@ -77,7 +85,7 @@ struct PointCore {
 
   SupportPoint<D, Real> support(const glm::vec<D, Real>&) const { return {centre, 0}; }
   glm::vec<D, Real> point(std::uint32_t) const { return centre; }
-  Real extent() const { return glm::dot(glm::abs(centre), glm::vec<D, Real>(Real(1))); }
+  Real extent() const { return largest_of(glm::abs(centre)); }
 };
 
 template <int D, typename Real>
@@ -91,9 +99,7 @@ struct SegmentCore {
     return {point(index), index};
   }
   glm::vec<D, Real> point(std::uint32_t index) const { return (index & 1) != 0 ? to : from; }
-  Real extent() const {
-    return glm::dot(glm::max(glm::abs(from), glm::abs(to)), glm::vec<D, Real>(Real(1)));
-  }
+  Real extent() const { return largest_of(glm::max(glm::abs(from), glm::abs(to))); }
 };
 
 /// Vertices are numbered by the signs of the half axes, bit i for axis i, set where it is subtracted.
@@ -101,7 +107,6 @@ template <int D, typename Real>
 struct BoxCore {
   glm::vec<D, Real> centre;
   glm::mat<D, D, Real> half_axes;
-  Real half_extent;  // their lengths' sum
 
   SupportPoint<D, Real> support(const glm::vec<D, Real>& direction) const {
     SupportPoint<D, Real> farthest{centre, 0};
@@ -117,7 +122,11 @@ struct BoxCore {
     for (int axis = 0; axis < D; ++axis) point += kSigns[index & 7][axis] * half_axes[axis];
     return point;
   }
-  Real extent() const { return glm::dot(glm::abs(centre), glm::vec<D, Real>(Real(1))) + half_extent; }
+  Real extent() const {
+    glm::vec<D, Real> reach = glm::abs(centre);
+    for (int axis = 0; axis < D; ++axis) reach += glm::abs(half_axes[axis]);
+    return largest_of(reach);
+  }
 
  private:
   static constexpr Real kSigns[8][3] = {{1, 1, 1},  {-1, 1, 1},  {1, -1, 1},  {-1, -1, 1},
@@ -147,7 +156,7 @@ struct VerticesCore {
     glm::vec<D, Real> farthest(Real(0));
     for (std::uint32_t index = 0; index < vertices.size(); ++index)
       farthest = glm::max(farthest, glm::abs(point(index)));
-    return glm::dot(farthest, glm::vec<D, Real>(Real(1)));
+    return largest_of(farthest);
   }
 };
 
@@ -193,7 +202,7 @@ struct HullCore {
     return centre + axes * glm::vec<3, Real>(hull->vertices_m[index < hull->vertices_m.size() ? index : 0]);
   }
   Real extent() const {
-    return glm::dot(glm::abs(centre), glm::vec<3, Real>(Real(1))) + static_cast<Real>(hull->extent_m);
+    return largest_of(glm::abs(centre)) + static_cast<Real>(hull->extent_m);
   }
 };
 
@@ -240,12 +249,8 @@ template <typename Real, int D, typename Stored>
 BoxCore<D, Real> core_of(const Box<D, Stored>& shape, const glm::vec<D, Real>& origin) {
   BoxCore<D, Real> core;
   core.centre = glm::vec<D, Real>(shape.centre_m) - origin;
-  core.half_extent = Real(0);
-  for (int axis = 0; axis < D; ++axis) {
-    core.half_axes[axis] =
-        static_cast<Real>(shape.half_extents_m[axis]) * glm::vec<D, Real>(shape.axes[axis]);
-    core.half_extent += static_cast<Real>(shape.half_extents_m[axis]);
-  }
+  for (int axis = 0; axis < D; ++axis)
+    core.half_axes[axis] = static_cast<Real>(shape.half_extents_m[axis]) * glm::vec<D, Real>(shape.axes[axis]);
   return core;
 }
 template <typename Real, int D, typename Stored>

@@ -94,7 +94,7 @@ template <int D, typename Real, typename CoreA, typename CoreB>
 template <int D, typename Real, typename CoreA, typename CoreB>
 [[gnu::always_inline]] inline CoreDistance<D, Real> core_distance(const CoreA& a, const CoreB& b, GjkCache& cache) {
   using Vector = glm::vec<D, Real>;
-  const Real tolerance = kGjkRounding<Real> * (a.extent() + b.extent());
+  const Real tolerance = kGjkRounding<Real> * std::max(a.extent(), b.extent());
   const Real tolerance2 = tolerance * tolerance;
 
   Simplex<D, Real> simplex;
