@@ -66,6 +66,12 @@ inline constexpr std::size_t kLeastClimbedVertices = 48;
 // direction of any length, with the number by which `point` finds it again in the same shape; `extent` bounds the size of
 // all coordinates.
 
+// glm::abs compiles to branches, which half of the time are guessed wrong.
+template <int D, typename Real>
+glm::vec<D, Real> size_of(glm::vec<D, Real> vector) {
+  for (int axis = 0; axis < D; ++axis) vector[axis] = std::abs(vector[axis]);
+  return vector;
+}
 template <int D, typename Real>
 Real largest_of(const glm::vec<D, Real>& size) {
   Real largest = size[0];
@@ -85,7 +91,7 @@ struct PointCore {
 
   SupportPoint<D, Real> support(const glm::vec<D, Real>&) const { return {centre, 0}; }
   glm::vec<D, Real> point(std::uint32_t) const { return centre; }
-  Real extent() const { return largest_of(glm::abs(centre)); }
+  Real extent() const { return largest_of(size_of(centre)); }
 };
 
 template <int D, typename Real>
@@ -99,7 +105,7 @@ struct SegmentCore {
     return {point(index), index};
   }
   glm::vec<D, Real> point(std::uint32_t index) const { return (index & 1) != 0 ? to : from; }
-  Real extent() const { return largest_of(glm::max(glm::abs(from), glm::abs(to))); }
+  Real extent() const { return largest_of(glm::max(size_of(from), size_of(to))); }
 };
 
 /// Vertices are numbered by the signs of the half axes, bit i for axis i, set where it is subtracted.
@@ -107,6 +113,7 @@ template <int D, typename Real>
 struct BoxCore {
   glm::vec<D, Real> centre;
   glm::mat<D, D, Real> half_axes;
+  Real half_diagonal;
 
   SupportPoint<D, Real> support(const glm::vec<D, Real>& direction) const {
     SupportPoint<D, Real> farthest{centre, 0};
@@ -122,11 +129,7 @@ struct BoxCore {
     for (int axis = 0; axis < D; ++axis) point += kSigns[index & 7][axis] * half_axes[axis];
     return point;
   }
-  Real extent() const {
-    glm::vec<D, Real> reach = glm::abs(centre);
-    for (int axis = 0; axis < D; ++axis) reach += glm::abs(half_axes[axis]);
-    return largest_of(reach);
-  }
+  Real extent() const { return largest_of(size_of(centre)) + half_diagonal; }
 
  private:
   static constexpr Real kSigns[8][3] = {{1, 1, 1},  {-1, 1, 1},  {1, -1, 1},  {-1, -1, 1},
@@ -155,7 +158,7 @@ struct VerticesCore {
   Real extent() const {
     glm::vec<D, Real> farthest(Real(0));
     for (std::uint32_t index = 0; index < vertices.size(); ++index)
-      farthest = glm::max(farthest, glm::abs(point(index)));
+      farthest = glm::max(farthest, size_of(point(index)));
     return largest_of(farthest);
   }
 };
@@ -202,7 +205,7 @@ struct HullCore {
     return centre + axes * glm::vec<3, Real>(hull->vertices_m[index < hull->vertices_m.size() ? index : 0]);
   }
   Real extent() const {
-    return largest_of(glm::abs(centre)) + static_cast<Real>(hull->extent_m);
+    return largest_of(size_of(centre)) + static_cast<Real>(hull->extent_m);
   }
 };
 
@@ -249,8 +252,9 @@ template <typename Real, int D, typename Stored>
 BoxCore<D, Real> core_of(const Box<D, Stored>& shape, const glm::vec<D, Real>& origin) {
   BoxCore<D, Real> core;
   core.centre = glm::vec<D, Real>(shape.centre_m) - origin;
-  for (int axis = 0; axis < D; ++axis)
-    core.half_axes[axis] = static_cast<Real>(shape.half_extents_m[axis]) * glm::vec<D, Real>(shape.axes[axis]);
+  const glm::vec<D, Real> half_extents(shape.half_extents_m);
+  core.half_diagonal = std::sqrt(glm::dot(half_extents, half_extents));
+  for (int axis = 0; axis < D; ++axis) core.half_axes[axis] = half_extents[axis] * glm::vec<D, Real>(shape.axes[axis]);
   return core;
 }
 template <typename Real, int D, typename Stored>

@@ -7,7 +7,9 @@
 // direction of a short distance; a volume that is all rounding makes all faces candidates.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -131,9 +133,8 @@ SimplexFace<3, Real> nearest_on_tetrahedron(const Simplex<3, Real>& simplex) {
   const glm::vec<3, Real> cd = glm::cross(c, d), ab = glm::cross(a, b);
   const std::array<Real, 4> of = {glm::dot(b, cd), -glm::dot(a, cd), glm::dot(ab, d), -glm::dot(ab, c)};
   const Real volume = of[0] + of[1] + of[2] + of[3];
-  glm::vec<3, Real> reach = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::max(glm::abs(c), glm::abs(d)));
-  const Real largest = glm::max(glm::max(reach.x, reach.y), reach.z);
-  const Real noise = Real(16) * std::numeric_limits<Real>::epsilon() * largest * largest * largest;
+  const Real reach2 = std::max(std::max(glm::dot(a, a), glm::dot(b, b)), std::max(glm::dot(c, c), glm::dot(d, d)));
+  const Real noise = Real(16) * std::numeric_limits<Real>::epsilon() * reach2 * std::sqrt(reach2);
   const bool is_flat = !(volume > noise) && !(volume < -noise);
   const Real sign = volume < Real(0) ? Real(-1) : Real(1);
 
