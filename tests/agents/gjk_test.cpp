@@ -141,7 +141,8 @@ void holds_together(const A& a, const B& b) {
   const Wide on_a(found.point_on_a_m), on_b(found.point_on_b_m), normal(found.normal);
   const double distance = static_cast<double>(found.distance_m);
   EXPECT_NEAR(glm::length(normal), 1.0, tolerance);
-  EXPECT_LT(glm::length(on_b - on_a - X
+  EXPECT_LT(glm::length(on_b - on_a - distance * normal), kAside<typename Vector::value_type>);
+  EXPECT_NEAR(glm::dot(on_b - on_a, normal), distance, 8.0 * tolerance);
   EXPECT_NEAR(outside(a, on_a), 0.0, 8.0 * tolerance);
   EXPECT_NEAR(outside(b, on_b), 0.0, 8.0 * tolerance);
 
