@@ -1,11 +1,11 @@
-// How deep two convex shapes are in one another: the point of the boundary of A - B that is nearest to the origin, by the
-// expanding polytope algorithm (van den Bergen 2001, Proximity Queries and Penetration Depth Computation on 3D Game
-// Objects, §4).
+// How deep two convex shapes are in one another: the point of the boundary of A - B that is nearest to the
+// origin, by the expanding polytope algorithm (van den Bergen 2001, Proximity Queries and Penetration Depth
+// Computation on 3D Game Objects).
 //
-// Deviation: it does not start from GJK's last simplex but from a segment (D = 2) or triangle (D = 3) of far points,
-// seen from both sides, so that flat and thin differences need no case of their own; the origin may be outside of
-// it at first, faces then have negative distances. It tells depth and normal alone. Bounded by kMostVertices: the depth told always separates, and is the
-// least one if `is_certain`.
+// Deviation: it does not start from GJK's last simplex but from a segment (D = 2) or triangle (D = 3) of far
+// points, seen from both sides, so that flat and thin differences need no case of their own; the origin may
+// be outside of it at first, faces then have negative distances. It tells depth and normal alone. Bounded by
+// kMostVertices: the depth told always separates, and is the least one if `is_certain`.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace prairie {
 
 template <int D, typename Real>
 struct Penetration {
-  Real depth = 0;                    // negative: they do not overlap
+  Real depth = 0;                     // negative: they do not overlap
   glm::vec<D, Real> normal{Real(0)};  // along which B moves out of A; a unit vector
   int iterations = 0;
   bool is_certain = false;
@@ -87,7 +87,8 @@ class ExpandingPolytope<2, Real> {
     const glm::vec<2, Real> along = vertices_[(i + 1) % count_].point - vertices_[i].point;
     const Real length2 = glm::dot(along, along);
     normals_[i] = glm::vec<2, Real>(along.y, -along.x) / std::sqrt(length2);
-    distances_[i] = length2 > Real(0) ? glm::dot(normals_[i], vertices_[i].point) : std::numeric_limits<Real>::max();
+    distances_[i] =
+        length2 > Real(0) ? glm::dot(normals_[i], vertices_[i].point) : std::numeric_limits<Real>::max();
   }
 
   int count_ = 0;
@@ -96,8 +97,9 @@ class ExpandingPolytope<2, Real> {
   std::array<Real, kMostVertices> distances_;
 };
 
-/// A closed surface of triangles, counter-clockwise seen from outside. A new vertex replaces all triangles that it sees by
-/// the cone over their border, so that the surface stays closed whatever rounding does to the tests.
+/// A closed surface of triangles, counter-clockwise seen from outside. A new vertex replaces all triangles
+/// that it sees by the cone over their border, so that the surface stays closed whatever rounding does to the
+/// tests.
 template <typename Real>
 class ExpandingPolytope<3, Real> {
  public:
@@ -124,7 +126,8 @@ class ExpandingPolytope<3, Real> {
     if (edge_count == 0 || kept + edge_count > kMostFaces) return false;
     face_count_ = kept;
     vertices_[count_] = vertex;
-    for (int edge = 0; edge < edge_count; ++edge) put(edges_[edge][0], edges_[edge][1], static_cast<std::uint8_t>(count_));
+    for (int edge = 0; edge < edge_count; ++edge)
+      put(edges_[edge][0], edges_[edge][1], static_cast<std::uint8_t>(count_));
     ++count_;
     return true;
   }
@@ -204,8 +207,8 @@ class ExpandingPolytope<3, Real> {
   std::array<Edge, kMostFaces> edges_;
 };
 
-/// `farthest(direction)` is the PolytopeVertex of A - B that is farthest along it. `tolerance`: what rounding does to
-/// its points.
+/// `farthest(direction)` is the PolytopeVertex of A - B that is farthest along it. `tolerance`: what rounding
+/// does to its points.
 template <int D, typename Real, typename Farthest>
 Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
   using Vector = glm::vec<D, Real>;

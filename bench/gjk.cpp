@@ -1,6 +1,7 @@
-// Distances of boxes, with the points where they are nearest, against Debian's FCL, if it was there when this was built.
-// Its solvers are asked directly, which is faster than by fcl::distance and its tables; both solve any pair from cold, and
-// GST_INDEP starts moving pairs from the guess that it left, as a user can make it do. GST_LIBCCD keeps no guess.
+// Distances of boxes, with the points where they are nearest, against Debian's FCL, if it was there when this
+// was built. Its solvers are asked directly, which is faster than by fcl::distance and its tables; both solve
+// any pair from cold, and GST_INDEP starts moving pairs from the guess that it left, as a user can make it
+// do. GST_LIBCCD keeps no guess.
 #include "agents/gjk.h"
 
 #ifdef PRAIRIE_HAS_FCL
@@ -22,7 +23,7 @@ namespace {
 
 constexpr std::size_t kPairs = 2000;
 constexpr int kRounds = 41;
-constexpr double kSpeedMPerStep = 0.02;      // a walker's, at 60 steps a second
+constexpr double kSpeedMPerStep = 0.02;  // a walker's, at 60 steps a second
 constexpr double kTurnRadPerStep = 0.01;
 constexpr double kLeastDistanceM = 0.01;  // none overlap, whose depth FCL does not tell with these calls
 
@@ -31,7 +32,9 @@ struct BoxPair {
 };
 
 /// A low-discrepancy draw in [0, 1): the n-th multiple of a root.
-double draw(std::uint64_t n, double root) { return std::fmod(static_cast<double>(n + 1) * root, 1.0); }
+double draw(std::uint64_t n, double root) {
+  return std::fmod(static_cast<double>(n + 1) * root, 1.0);
+}
 
 Box<3, double> random_box(std::uint64_t n) {
   const auto symmetric = [&](double root) { return 2.0 * draw(n, std::sqrt(root)) - 1.0; };
@@ -93,10 +96,13 @@ fcl::Transform3d fcl_place(const Box<3, double>& box) {
 }
 
 std::vector<FclPair> fcl_pairs(const std::vector<BoxPair>& pairs) {
-  const auto shape = [](const glm::dvec3& half_m) { return fcl::Boxd(2.0 * half_m.x, 2.0 * half_m.y, 2.0 * half_m.z); };
+  const auto shape = [](const glm::dvec3& half_m) {
+    return fcl::Boxd(2.0 * half_m.x, 2.0 * half_m.y, 2.0 * half_m.z);
+  };
   std::vector<FclPair> converted;
   for (const BoxPair& pair : pairs)
-    converted.push_back({shape(pair.a.half_extents_m), shape(pair.b.half_extents_m), fcl_place(pair.a), fcl_place(pair.b)});
+    converted.push_back(
+        {shape(pair.a.half_extents_m), shape(pair.b.half_extents_m), fcl_place(pair.a), fcl_place(pair.b)});
   return converted;
 }
 
@@ -119,7 +125,9 @@ double fcl_ms(std::vector<FclPair>& pairs, bool is_warm, double& sum) {
 }
 #endif
 
-double pairs_per_s(const std::vector<double>& times_ms) { return 1000.0 * static_cast<double>(kPairs) / median(times_ms); }
+double pairs_per_s(const std::vector<double>& times_ms) {
+  return 1000.0 * static_cast<double>(kPairs) / median(times_ms);
+}
 
 }  // namespace
 

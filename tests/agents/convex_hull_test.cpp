@@ -34,7 +34,8 @@ TEST(ConvexHull, HoldsItsPointsInAClosedSurface) {
     const ConvexHull hull = convex_hull(points);
     EXPECT_LT(beyond(hull, points), 1e-12);
     EXPECT_EQ(hull.triangles.size(), 2 * hull.vertices_m.size() - 4);
-    for (const glm::dvec3& vertex : hull.vertices_m) EXPECT_NE(std::ranges::find(points, vertex), points.end());
+    for (const glm::dvec3& vertex : hull.vertices_m)
+      EXPECT_NE(std::ranges::find(points, vertex), points.end());
   }
 }
 

@@ -19,7 +19,9 @@ namespace {
 using testing::Draw;
 using Ring = std::vector<glm::dvec2>;
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
 
 double signed_area(const Ring& ring) {
   double twice = 0.0;
@@ -51,7 +53,8 @@ void is_cut_rightly(const WallPolygon& polygon) {
       const glm::dvec2 at = piece[(n + 1) % piece.size()];
       EXPECT_GT(cross(at - piece[n], piece[(n + 2) % piece.size()] - at), 0.0);
       bool is_given = std::ranges::find(polygon.outer_m, at) != polygon.outer_m.end();
-      for (const Ring& hole : polygon.holes_m) is_given = is_given || std::ranges::find(hole, at) != hole.end();
+      for (const Ring& hole : polygon.holes_m)
+        is_given = is_given || std::ranges::find(hole, at) != hole.end();
       EXPECT_TRUE(is_given);
     }
   }
@@ -71,7 +74,8 @@ TEST(ConvexPieces, FillThePolygonAndDoNotOverlap) {
   for (int n = 0; n < 200; ++n) {
     WallPolygon polygon{star(draw, {0.0, 0.0}, 10.0, 5 + draw.below(40)), {}};
     for (int hole = draw.below(4); hole > 0; --hole)
-      polygon.holes_m.push_back(star(draw, 2.0 * glm::dvec2(std::cos(2.0 * hole), std::sin(2.0 * hole)), 0.9, 3 + draw.below(9)));
+      polygon.holes_m.push_back(
+          star(draw, 2.0 * glm::dvec2(std::cos(2.0 * hole), std::sin(2.0 * hole)), 0.9, 3 + draw.below(9)));
     if (draw.below(2) == 0) std::ranges::reverse(polygon.outer_m);
     for (Ring& hole : polygon.holes_m) {
       if (draw.below(2) == 0) std::ranges::reverse(hole);
@@ -114,19 +118,26 @@ TEST(ConvexPieces, SayWhatIsWrongWithAPolygon) {
   };
   EXPECT_EQ(found_in({{}, {}}), "outer: 0 different points");
   EXPECT_EQ(found_in({{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {0.0, 0.0}}, {}}), "outer: 2 different points");
-  EXPECT_EQ(found_in({{{0.0, 0.0}, {1.0, 1.0}, {2.0, 2.0}}, {}}), "outer: points on one line, which have no area");
-  EXPECT_EQ(found_in({{{0.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 2.0}}, {}}), "outer: a ring that crosses or touches itself");
+  EXPECT_EQ(found_in({{{0.0, 0.0}, {1.0, 1.0}, {2.0, 2.0}}, {}}),
+            "outer: points on one line, which have no area");
+  EXPECT_EQ(found_in({{{0.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 2.0}}, {}}),
+            "outer: a ring that crosses or touches itself");
   EXPECT_EQ(found_in({{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, {}}),
             "outer: a ring that crosses or touches itself");
-  EXPECT_EQ(found_in({{{0.0, 0.0}, {1.0, 0.0}, {0.0, std::numeric_limits<double>::infinity()}}, {}}), "outer[2]: (0, inf)");
-  EXPECT_EQ(found_in({square, {shifted(square, {9.0, 0.0}, 0.5)}}), "holes[0]: (9, 0) outside of the outer ring");
-  EXPECT_EQ(found_in({square, {shifted(square, {3.0, 1.0}, 0.5)}}), "holes[0]: (5, 1) outside of the outer ring");
+  EXPECT_EQ(found_in({{{0.0, 0.0}, {1.0, 0.0}, {0.0, std::numeric_limits<double>::infinity()}}, {}}),
+            "outer[2]: (0, inf)");
+  EXPECT_EQ(found_in({square, {shifted(square, {9.0, 0.0}, 0.5)}}),
+            "holes[0]: (9, 0) outside of the outer ring");
+  EXPECT_EQ(found_in({square, {shifted(square, {3.0, 1.0}, 0.5)}}),
+            "holes[0]: (5, 1) outside of the outer ring");
   const Ring notched = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {2.0, 1.0}, {0.0, 4.0}};
-  EXPECT_EQ(found_in({notched, {{{0.5, 2.5}, {0.5, 0.5}, {3.5, 2.5}}}}), "holes[0]: a hole that crosses another ring");
+  EXPECT_EQ(found_in({notched, {{{0.5, 2.5}, {0.5, 0.5}, {3.5, 2.5}}}}),
+            "holes[0]: a hole that crosses another ring");
   EXPECT_EQ(found_in({square, {shifted(square, {1.0, 1.0}, 0.25), shifted(square, {1.5, 1.5}, 0.25)}}),
             "holes[1]: a hole that crosses another ring");
   for (const Ring& hole : {shifted(square, {1.25, 1.25}, 0.125), shifted(square, {1.0, 1.0}, 0.25)})
-    EXPECT_TRUE(found_in({square, {shifted(square, {1.0, 1.0}, 0.25), hole}}).starts_with("holes")) << hole[0].x;
+    EXPECT_TRUE(found_in({square, {shifted(square, {1.0, 1.0}, 0.25), hole}}).starts_with("holes"))
+        << hole[0].x;
   EXPECT_TRUE(found_in({square, {square}}).starts_with("holes"));
   EXPECT_TRUE(found_in({square, {shifted(square, {0.0, 1.0}, 0.25)}}).starts_with("holes"));  // along a side
   EXPECT_EQ(found_in({Ring(kMostPolygonPoints + 1), {}}), "polygon: 10001 points");

@@ -39,7 +39,8 @@ Box<D, Real> random_box(Draw& draw, double far_m) {
     box.axes = glm::mat<3, 3, Real>(draw.rotation());
   } else {
     const double angle = draw.within(0.0, 6.3);
-    box.axes = glm::mat<2, 2, Real>(glm::dmat2(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle)));
+    box.axes =
+        glm::mat<2, 2, Real>(glm::dmat2(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle)));
   }
   for (int axis = 0; axis < D; ++axis) box.half_extents_m[axis] = static_cast<Real>(draw.within(0.1, 1.0));
   return box;
@@ -52,25 +53,29 @@ std::vector<glm::dvec2> random_polygon(Draw& draw, double far_m) {
   for (double& angle : angles) angle = draw.within(0.0, 2.0 * std::numbers::pi);
   std::ranges::sort(angles);
   std::vector<glm::dvec2> polygon;  // on an ellipse, so that it is convex
-  for (const double angle : angles) polygon.push_back(centre + glm::dvec2(std::cos(angle), 0.7 * std::sin(angle)));
+  for (const double angle : angles)
+    polygon.push_back(centre + glm::dvec2(std::cos(angle), 0.7 * std::sin(angle)));
   return polygon;
 }
 
 template <int D>
-double to_segment(const glm::vec<D, double>& point, const glm::vec<D, double>& from, const glm::vec<D, double>& to) {
+double to_segment(const glm::vec<D, double>& point, const glm::vec<D, double>& from,
+                  const glm::vec<D, double>& to) {
   const glm::vec<D, double> way = to - from;
   const double length2 = glm::dot(way, way);
   const double share = length2 > 0.0 ? std::clamp(glm::dot(point - from, way) / length2, 0.0, 1.0) : 0.0;
   return glm::length(point - (from + share * way));
 }
 
-/// Of two convex polygons, counter-clockwise, by all normals of their sides: the least overlap, negative if apart.
+/// Of two convex polygons, counter-clockwise, by all normals of their sides: the least overlap, negative if
+/// apart.
 double overlap_of(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b) {
   double least = 1e300;
   for (const auto* polygon : {&a, &b}) {
     for (std::size_t n = 0; n < polygon->size(); ++n) {
       const glm::dvec2 side = (*polygon)[(n + 1) % polygon->size()] - (*polygon)[n];
-      const glm::dvec2 normal = glm::dvec2(side.y, -side.x) / glm::length(side) * (polygon == &a ? 1.0 : -1.0);
+      const glm::dvec2 normal =
+          glm::dvec2(side.y, -side.x) / glm::length(side) * (polygon == &a ? 1.0 : -1.0);
       double end_a = -1e300, start_b = 1e300;
       for (const glm::dvec2& point : a) end_a = std::max(end_a, glm::dot(normal, point));
       for (const glm::dvec2& point : b) start_b = std::min(start_b, glm::dot(normal, point));
@@ -91,7 +96,8 @@ double polygon_distance(const std::vector<glm::dvec2>& a, const std::vector<glm:
   return least;
 }
 
-/// By the 15 axes of Gottschalk, Lin & Manocha 1996, OBBTree, in all of which boxes that overlap must overlap.
+/// By the 15 axes of Gottschalk, Lin & Manocha 1996, OBBTree, in all of which boxes that overlap must
+/// overlap.
 double overlap_of(const Box<3, double>& a, const Box<3, double>& b) {
   double least = 1e300;
   const auto along = [&](glm::dvec3 axis) {
@@ -126,7 +132,8 @@ template <int D, typename Real>
 double outside(const Box<D, Real>& shape, const glm::vec<D, double>& point) {
   double most = -1e300;
   for (int axis = 0; axis < D; ++axis) {
-    const double along = glm::dot(point - glm::vec<D, double>(shape.centre_m), glm::vec<D, double>(shape.axes[axis]));
+    const double along =
+        glm::dot(point - glm::vec<D, double>(shape.centre_m), glm::vec<D, double>(shape.axes[axis]));
     most = std::max(most, std::abs(along) - static_cast<double>(shape.half_extents_m[axis]));
   }
   return most;
@@ -161,9 +168,12 @@ void all_kinds_hold_together() {
   Draw draw(7);
   for (int n = 0; n < 2000; ++n) {
     const Box<D, Real> box = random_box<D, Real>(draw, 1.5), other = random_box<D, Real>(draw, 1.5);
-    const Sphere<D, Real> sphere{glm::vec<D, Real>(place<D>(draw, 1.5)), static_cast<Real>(draw.within(0.0, 1.0))};
-    const Sphere<D, Real> ball{glm::vec<D, Real>(place<D>(draw, 1.5)), static_cast<Real>(draw.within(0.0, 1.0))};
-    const Capsule<D, Real> capsule{glm::vec<D, Real>(place<D>(draw, 1.5)), glm::vec<D, Real>(place<D>(draw, 1.5)),
+    const Sphere<D, Real> sphere{glm::vec<D, Real>(place<D>(draw, 1.5)),
+                                 static_cast<Real>(draw.within(0.0, 1.0))};
+    const Sphere<D, Real> ball{glm::vec<D, Real>(place<D>(draw, 1.5)),
+                               static_cast<Real>(draw.within(0.0, 1.0))};
+    const Capsule<D, Real> capsule{glm::vec<D, Real>(place<D>(draw, 1.5)),
+                                   glm::vec<D, Real>(place<D>(draw, 1.5)),
                                    static_cast<Real>(draw.within(0.0, 0.6))};
     const Capsule<D, Real> rod{glm::vec<D, Real>(place<D>(draw, 1.5)), glm::vec<D, Real>(place<D>(draw, 1.5)),
                                static_cast<Real>(draw.within(0.0, 0.6))};
@@ -190,7 +200,8 @@ TEST(Gjk, RoundShapesMatchClosedForms) {
   for (int n = 0; n < 20'000; ++n) {
     const Sphere<3, double> a{2.0 * draw.in_cube(), draw.unit()}, b{2.0 * draw.in_cube(), draw.unit()};
     const Capsule<3, double> rod{2.0 * draw.in_cube(), 2.0 * draw.in_cube(), draw.unit()};
-    EXPECT_NEAR(shape_distance(a, b).distance_m, glm::length(a.centre_m - b.centre_m) - a.radius_m - b.radius_m, 1e-14);
+    EXPECT_NEAR(shape_distance(a, b).distance_m,
+                glm::length(a.centre_m - b.centre_m) - a.radius_m - b.radius_m, 1e-14);
     EXPECT_NEAR(shape_distance(a, rod).distance_m,
                 to_segment<3>(a.centre_m, rod.from_m, rod.to_m) - a.radius_m - rod.radius_m, 1e-14);
   }
@@ -208,7 +219,8 @@ TEST(Gjk, PolygonsMatchBruteForce) {
     overlapping += overlap > 0.0;
 
     const std::vector<glm::vec2> rough_a(a.begin(), a.end()), rough_b(b.begin(), b.end());
-    const float rough = shape_distance(ConvexVertices<2, float>{rough_a}, ConvexVertices<2, float>{rough_b}).distance_m;
+    const float rough =
+        shape_distance(ConvexVertices<2, float>{rough_a}, ConvexVertices<2, float>{rough_b}).distance_m;
     ASSERT_NEAR(static_cast<double>(rough), distance, 1e-5) << n;
   }
   EXPECT_GT(overlapping, 2000);
@@ -221,7 +233,7 @@ TEST(Gjk, BoxesAreAsDeepAsTheirLeastOverlap) {
     const Box<3, double> a = random_box<3, double>(draw, 0.7), b = random_box<3, double>(draw, 0.7);
     const double overlap = overlap_of(a, b);
     const ShapeDistance<3, double> found = shape_distance(a, b);
-    ASSERT_EQ(found.distance_m < 0.0, overlap > 0.0) << n;
+    ASSERT_EQ(found.distance_m<0.0, overlap> 0.0) << n;
     if (overlap <= 0.0) continue;
     ++overlapping;
     ASSERT_NEAR(found.distance_m, -overlap, 1e-13) << n;
@@ -243,7 +255,8 @@ TEST(Gjk, CoincidentAndNestedShapesHaveADepth) {
   EXPECT_NEAR(found.distance_m, -0.75, 1e-14);
   EXPECT_NEAR(found.normal.x, 1.0, 1e-14);
 
-  const Capsule<3, double> along{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.1}, across{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, 0.1};
+  const Capsule<3, double> along{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.1},
+      across{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, 0.1};
   EXPECT_NEAR(shape_distance(along, across).distance_m, -0.2, 1e-14);
   EXPECT_NEAR(std::abs(shape_distance(along, across).normal.z), 1.0, 1e-14);
   EXPECT_NEAR(shape_distance(along, along).distance_m, -0.2, 1e-14);
@@ -289,7 +302,8 @@ TEST(Gjk, ClimbsAHullToTheSamePointAsAScan) {
   Draw draw(9);
   for (int n = 0; n < 40; ++n) {
     std::vector<glm::dvec3> points;
-    for (int point = 0; point < 200; ++point) points.push_back(draw.direction() * glm::dvec3(1.0, 0.6, n % 2 ? 0.01 : 0.8));
+    for (int point = 0; point < 200; ++point)
+      points.push_back(draw.direction() * glm::dvec3(1.0, 0.6, n % 2 ? 0.01 : 0.8));
     const ConvexHull hull = convex_hull(points);
     ASSERT_GT(hull.vertices_m.size(), kLeastClimbedVertices);
     const Box<3, double> box = random_box<3, double>(draw, 0.5);
@@ -311,7 +325,8 @@ void always_answers(int pairs, std::uint64_t seed) {
   const auto point = [&] {
     glm::vec<D, Real> at(Real(0));
     const double reach = draw.size(1e-6, 1e6);
-    for (int axis = 0; axis < D; ++axis) at[axis] = static_cast<Real>(draw.below(4) == 0 ? 0.0 : draw.within(-reach, reach));
+    for (int axis = 0; axis < D; ++axis)
+      at[axis] = static_cast<Real>(draw.below(4) == 0 ? 0.0 : draw.within(-reach, reach));
     return at;
   };
   GjkCache cache;  // of whatever pair came before
@@ -339,14 +354,30 @@ void always_answers(int pairs, std::uint64_t seed) {
     for (auto& at : points) at = point();
     const ConvexVertices<D, Real> vertices{points};
     switch (n % 8) {
-      case 0: ask(sphere, capsule); break;
-      case 1: ask(sphere, box); break;
-      case 2: ask(sphere, vertices); break;
-      case 3: ask(capsule, box); break;
-      case 4: ask(capsule, vertices); break;
-      case 5: ask(box, vertices); break;
-      case 6: ask(box, random_box<D, Real>(draw, 1.0)); break;
-      default: ask(vertices, vertices); break;
+      case 0:
+        ask(sphere, capsule);
+        break;
+      case 1:
+        ask(sphere, box);
+        break;
+      case 2:
+        ask(sphere, vertices);
+        break;
+      case 3:
+        ask(capsule, box);
+        break;
+      case 4:
+        ask(capsule, vertices);
+        break;
+      case 5:
+        ask(box, vertices);
+        break;
+      case 6:
+        ask(box, random_box<D, Real>(draw, 1.0));
+        break;
+      default:
+        ask(vertices, vertices);
+        break;
     }
     if (::testing::Test::HasFatalFailure()) return;
   }
