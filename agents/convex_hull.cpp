@@ -38,8 +38,10 @@ std::vector<Point> checked(std::span<const glm::dvec3> points_m) {
   const Point& first = points[0];
   const auto second = std::ranges::find_if(points, [&](const Point& p) { return p != first; });
   if (second == points.end()) throw BadInput("", "points", "one point alone", "points not all on one plane");
-  const auto third = std::ranges::find_if(points, [&](const Point& p) { return !CGAL::collinear(first, *second, p); });
-  if (third == points.end()) throw BadInput("", "points", "points on one line", "points not all on one plane");
+  const auto third =
+      std::ranges::find_if(points, [&](const Point& p) { return !CGAL::collinear(first, *second, p); });
+  if (third == points.end())
+    throw BadInput("", "points", "points on one line", "points not all on one plane");
   if (std::ranges::all_of(points, [&](const Point& p) { return CGAL::coplanar(first, *second, *third, p); }))
     throw BadInput("", "points", "points on one plane", "points not all on one plane");
   return points;

@@ -22,14 +22,16 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Ring = std::vector<Point>;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;                // place in the input
-using InfoFaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;                // rings crossed from outside
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;  // place in the input
+using InfoFaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;  // rings crossed from outside
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, InfoFaceBase>;
 using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
+                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-constexpr const char* kRingExpected = "a ring of at least 3 different points that encloses an area and does not cross itself";
+constexpr const char* kRingExpected =
+    "a ring of at least 3 different points that encloses an area and does not cross itself";
 constexpr const char* kHoleExpected = "holes inside the outer ring that neither cross nor hold one another";
 
 /// Without repetitions.
@@ -38,14 +40,17 @@ Ring checked_ring(const std::vector<glm::dvec2>& points_m, const std::string& fi
   for (std::size_t n = 0; n < points_m.size(); ++n) {
     const glm::dvec2& at_m = points_m[n];
     if (!std::isfinite(at_m.x) || !std::isfinite(at_m.y)) {
-      throw BadInput("", fmt::format("{}[{}]", field, n), fmt::format("({}, {})", at_m.x, at_m.y), "finite numbers");
+      throw BadInput("", fmt::format("{}[{}]", field, n), fmt::format("({}, {})", at_m.x, at_m.y),
+                     "finite numbers");
     }
     const Point point(at_m.x, at_m.y);
     if (ring.empty() || ring.back() != point) ring.push_back(point);
   }
   while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
-  if (ring.size() < 3) throw BadInput("", field, fmt::format("{} different points", ring.size()), kRingExpected);
-  const bool is_line = std::ranges::all_of(ring, [&](const Point& p) { return CGAL::collinear(ring[0], ring[1], p); });
+  if (ring.size() < 3)
+    throw BadInput("", field, fmt::format("{} different points", ring.size()), kRingExpected);
+  const bool is_line =
+      std::ranges::all_of(ring, [&](const Point& p) { return CGAL::collinear(ring[0], ring[1], p); });
   if (is_line) throw BadInput("", field, "points on one line, which have no area", kRingExpected);
   if (!CGAL::is_simple_2(ring.begin(), ring.end(), Kernel()))
     throw BadInput("", field, "a ring that crosses or touches itself", kRingExpected);
@@ -66,16 +71,19 @@ std::vector<Ring> checked_rings(const WallPolygon& polygon) {
   std::size_t count = polygon.outer_m.size();
   for (const auto& hole_m : polygon.holes_m) count += hole_m.size();
   if (count > kMostPolygonPoints)
-    throw BadInput("", "polygon", fmt::format("{} points", count), fmt::format("at most {}", kMostPolygonPoints));
+    throw BadInput("", "polygon", fmt::format("{} points", count),
+                   fmt::format("at most {}", kMostPolygonPoints));
 
   std::vector<Ring> rings = {checked_ring(polygon.outer_m, "outer")};
   for (std::size_t hole = 0; hole < polygon.holes_m.size(); ++hole)
     rings.push_back(checked_ring(polygon.holes_m[hole], fmt::format("holes[{}]", hole)));
   for (std::size_t hole = 1; hole < rings.size(); ++hole) {
     for (const Point& point : rings[hole]) {
-      if (CGAL::bounded_side_2(rings[0].begin(), rings[0].end(), point, Kernel()) == CGAL::ON_UNBOUNDED_SIDE) {
+      if (CGAL::bounded_side_2(rings[0].begin(), rings[0].end(), point, Kernel()) ==
+          CGAL::ON_UNBOUNDED_SIDE) {
         throw BadInput("", fmt::format("holes[{}]", hole - 1),
-                       fmt::format("({}, {}) outside of the outer ring", point.x(), point.y()), kHoleExpected);
+                       fmt::format("({}, {}) outside of the outer ring", point.x(), point.y()),
+                       kHoleExpected);
       }
     }
   }
@@ -95,7 +103,8 @@ void insert_rings(Triangulation& triangulation, const std::vector<Ring>& rings) 
       for (std::size_t n = 0; n < handles.size(); ++n)
         triangulation.insert_constraint(handles[n], handles[(n + 1) % handles.size()]);
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
-      throw BadInput("", fmt::format("holes[{}]", ring - 1), "a hole that crosses another ring", kHoleExpected);
+      throw BadInput("", fmt::format("holes[{}]", ring - 1), "a hole that crosses another ring",
+                     kHoleExpected);
     }
   }
 }
@@ -137,12 +146,13 @@ std::vector<Corners> triangles_inside(Triangulation& triangulation) {
 
 struct Diagonal {
   double length2 = 0.0;
-  int from = 0, to = 0;  // from < to
+  int from = 0, to = 0;             // from < to
   std::size_t left = 0, right = 0;  // triangles beside it
 };
 
 /// The longest first.
-std::vector<Diagonal> diagonals_between(const std::vector<Corners>& triangles, const std::vector<Point>& points) {
+std::vector<Diagonal> diagonals_between(const std::vector<Corners>& triangles,
+                                        const std::vector<Point>& points) {
   std::vector<std::tuple<int, int, bool, std::size_t>> sides;
   for (std::size_t n = 0; n < triangles.size(); ++n) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -218,7 +228,8 @@ std::vector<std::vector<glm::dvec2>> convex_pieces(const WallPolygon& polygon) {
   for (const Corners& corners : triangles)
     found_m2 += area_m2({points[corners[0]], points[corners[1]], points[corners[2]]});
   if (triangles.empty() || std::abs(found_m2 - expected_m2) > 1e-9 * area_m2(rings[0])) {
-    throw BadInput("", "holes", fmt::format("{} m2 inside of the rings where their areas make {}", found_m2, expected_m2),
+    throw BadInput("", "holes",
+                   fmt::format("{} m2 inside of the rings where their areas make {}", found_m2, expected_m2),
                    kHoleExpected);
   }
 
@@ -228,7 +239,8 @@ std::vector<std::vector<glm::dvec2>> convex_pieces(const WallPolygon& polygon) {
     for (std::size_t n = 0; n < corners.size(); ++n) {
       const Point& before = points[corners[(n + corners.size() - 1) % corners.size()]];
       const Point& at = points[corners[n]];
-      if (!CGAL::collinear(before, at, points[corners[(n + 1) % corners.size()]])) piece.emplace_back(at.x(), at.y());
+      if (!CGAL::collinear(before, at, points[corners[(n + 1) % corners.size()]]))
+        piece.emplace_back(at.x(), at.y());
     }
   }
   return pieces;

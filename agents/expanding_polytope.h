@@ -1,11 +1,11 @@
-// How deep two convex shapes are in one another: the point of the boundary of A - B that is nearest to the origin, by the
-// expanding polytope algorithm (van den Bergen 2001, Proximity Queries and Penetration Depth Computation on 3D Game
-// Objects, §4).
+// How deep two convex shapes are in one another: the point of the boundary of A - B that is nearest to the
+// origin, by the expanding polytope algorithm (van den Bergen 2001, Proximity Queries and Penetration Depth
+// Computation on 3D Game Objects).
 //
-// Deviation: it does not start from GJK's last simplex but from a segment (D = 2) or triangle (D = 3) of far points,
-// seen from both sides, so that flat and thin differences need no case of their own; the origin may be outside of
-// it at first, faces then have negative distances. Bounded by kMostVertices: the depth told always separates, and is the
-// least one if `is_certain`.
+// Deviation: it does not start from GJK's last simplex but from a segment (D = 2) or triangle (D = 3) of far
+// points, seen from both sides, so that flat and thin differences need no case of their own; the origin may
+// be outside of it at first, faces then have negative distances. It tells depth and normal alone. Bounded by
+// kMostVertices: the depth told always separates, and is the least one if `is_certain`.
 #pragma once
 
 #include <array>
@@ -14,15 +14,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "agents/simplex.h"
-
 namespace prairie {
 
 template <int D, typename Real>
 struct Penetration {
-  Real depth = 0;                    // negative: they do not overlap
+  Real depth = 0;                     // negative: they do not overlap
   glm::vec<D, Real> normal{Real(0)};  // along which B moves out of A; a unit vector
-  Simplex<D, Real> face;              // of A - B, with the weights of the nearest point
   int iterations = 0;
   bool is_certain = false;
 };
@@ -31,6 +28,13 @@ template <int D, typename Real>
 struct PolytopeVertex {
   glm::vec<D, Real> point;
   std::uint64_t key = 0;
+};
+
+/// The plane that a side of the polytope is on.
+template <int D, typename Real>
+struct PolytopeFace {
+  glm::vec<D, Real> normal;
+  Real distance;
 };
 
 template <int D, typename Real>
@@ -42,12 +46,6 @@ class ExpandingPolytope<2, Real> {
  public:
   using Vertex = PolytopeVertex<2, Real>;
   static constexpr int kMostVertices = 128;
-
-  struct Face {
-    glm::vec<2, Real> normal;
-    Real distance;
-    std::array<Vertex, 2> vertices;
-  };
 
   /// Whether it has grown.
   bool add(const Vertex& vertex, int face, Real) {
@@ -82,14 +80,15 @@ class ExpandingPolytope<2, Real> {
     }
     return nearest;
   }
-  Face face(int i) const { return {normals_[i], distances_[i], {vertices_[i], vertices_[(i + 1) % count_]}}; }
+  PolytopeFace<2, Real> face(int i) const { return {normals_[i], distances_[i]}; }
 
  private:
   void measure(int i) {
     const glm::vec<2, Real> along = vertices_[(i + 1) % count_].point - vertices_[i].point;
     const Real length2 = glm::dot(along, along);
     normals_[i] = glm::vec<2, Real>(along.y, -along.x) / std::sqrt(length2);
-    distances_[i] = length2 > Real(0) ? glm::dot(normals_[i], vertices_[i].point) : std::numeric_limits<Real>::max();
+    distances_[i] =
+        length2 > Real(0) ? glm::dot(normals_[i], vertices_[i].point) : std::numeric_limits<Real>::max();
   }
 
   int count_ = 0;
@@ -98,20 +97,15 @@ class ExpandingPolytope<2, Real> {
   std::array<Real, kMostVertices> distances_;
 };
 
-/// A closed surface of triangles, counter-clockwise seen from outside. A new vertex replaces all triangles that it sees by
-/// the cone over their border, so that the surface stays closed whatever rounding does to the tests.
+/// A closed surface of triangles, counter-clockwise seen from outside. A new vertex replaces all triangles
+/// that it sees by the cone over their border, so that the surface stays closed whatever rounding does to the
+/// tests.
 template <typename Real>
 class ExpandingPolytope<3, Real> {
  public:
   using Vertex = PolytopeVertex<3, Real>;
   static constexpr int kMostVertices = 160;
   static constexpr int kMostFaces = 2 * kMostVertices;
-
-  struct Face {
-    glm::vec<3, Real> normal;
-    Real distance;
-    std::array<Vertex, 3> vertices;
-  };
 
   bool add(const Vertex& vertex, int, Real tolerance) {
     if (count_ == kMostVertices) return false;
@@ -132,7 +126,8 @@ class ExpandingPolytope<3, Real> {
     if (edge_count == 0 || kept + edge_count > kMostFaces) return false;
     face_count_ = kept;
     vertices_[count_] = vertex;
-    for (int edge = 0; edge < edge_count; ++edge) put(edges_[edge][0], edges_[edge][1], static_cast<std::uint8_t>(count_));
+    for (int edge = 0; edge < edge_count; ++edge)
+      put(edges_[edge][0], edges_[edge][1], static_cast<std::uint8_t>(count_));
     ++count_;
     return true;
   }
@@ -159,7 +154,8 @@ class ExpandingPolytope<3, Real> {
     face_count_ = 0;
     put(0, 1, 2);
     put(1, 0, 2);
-    if (aside > tolerance * tolerance) return;
+    const bool has_area = faces_[0].distance < std::numeric_limits<Real>::max();
+    if (has_area && aside > tolerance * tolerance) return;
     faces_[0].normal = side;
     faces_[1].normal = -side;
     for (int f = 0; f < 2; ++f) faces_[f].distance = glm::dot(faces_[f].normal, from.point);
@@ -171,12 +167,7 @@ class ExpandingPolytope<3, Real> {
     }
     return nearest;
   }
-  Face face(int f) const {
-    const Triangle& face = faces_[f];
-    return {face.normal,
-            face.distance,
-            {vertices_[face.vertices[0]], vertices_[face.vertices[1]], vertices_[face.vertices[2]]}};
-  }
+  PolytopeFace<3, Real> face(int f) const { return {faces_[f].normal, faces_[f].distance}; }
 
  private:
   struct Triangle {
@@ -216,8 +207,8 @@ class ExpandingPolytope<3, Real> {
   std::array<Edge, kMostFaces> edges_;
 };
 
-/// `farthest(direction)` is the PolytopeVertex of A - B that is farthest along it. `tolerance`: what rounding does to
-/// its points.
+/// `farthest(direction)` is the PolytopeVertex of A - B that is farthest along it. `tolerance`: what rounding
+/// does to its points.
 template <int D, typename Real, typename Farthest>
 Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
   using Vector = glm::vec<D, Real>;
@@ -239,10 +230,6 @@ Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
   if (!(widest > tolerance)) {  // a point: any way out is as good
     best.normal[D - 1] = Real(1);
     best.depth = glm::dot(best.normal, from.point);
-    best.face.count = 1;
-    best.face.points[0] = from.point;
-    best.face.keys[0] = from.key;
-    best.face.weights[0] = Real(1);
     best.is_certain = true;
     return best;
   }
@@ -250,30 +237,19 @@ Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
   ExpandingPolytope<D, Real> polytope;
   polytope.begin(from, to, farthest, tolerance);
   best.depth = std::numeric_limits<Real>::max();
-  auto chosen = polytope.face(polytope.nearest_face());
   for (bool grows = true; grows;) {
     const int nearest = polytope.nearest_face();
-    const auto face = polytope.face(nearest);
-    const Vertex vertex = farthest(face.normal);
-    const Real reach = glm::dot(face.normal, vertex.point);
+    const auto [normal, distance] = polytope.face(nearest);
+    const Vertex vertex = farthest(normal);
+    const Real reach = glm::dot(normal, vertex.point);
     ++best.iterations;
     if (reach < best.depth) {
       best.depth = reach;
-      best.normal = face.normal;
-      chosen = face;
+      best.normal = normal;
     }
-    best.is_certain = best.depth - face.distance <= tolerance;
+    best.is_certain = best.depth - distance <= tolerance;
     grows = !best.is_certain && polytope.add(vertex, nearest, Real(0.25) * tolerance);
   }
-
-  // The face's point below the origin; moved along the normal, the origin is off the face's plane by nothing.
-  Simplex<D, Real>& simplex = best.face;
-  simplex.count = D;
-  for (int i = 0; i < D; ++i) {
-    simplex.keys[i] = chosen.vertices[i].key;
-    simplex.points[i] = chosen.vertices[i].point - chosen.distance * chosen.normal;
-  }
-  reduce(simplex, nearest_to_origin(simplex));
   return best;
 }
 

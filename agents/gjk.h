@@ -1,56 +1,26 @@
-// The distance of two convex shapes and where they are nearest, by GJK (Gilbert, Johnson & Keerthi 1988) with the
-// signed volumes of Montanari, Petrinic & Barbieri 2017 (agents/simplex.h), and how deep they are in one another where
-// they overlap (agents/expanding_polytope.h).
+// The distance of two convex shapes and where they are nearest, by GJK (Gilbert, Johnson & Keerthi 1988) with
+// the signed volumes of Montanari, Petrinic & Barbieri 2017 (agents/simplex.h), and how deep they are in one
+// another where they overlap (agents/expanding_polytope.h).
 //
-// Deviation: an answer is accepted by its certificate alone. The simplex's nearest point v bounds the distance from
-// above; the plane through the farthest point against v, at right angles to v, bounds it from below (van den Bergen 2003,
-// §4.3.1). Where rounding keeps the two apart, the query is made again in the next wider type, whose answer is given in
-// any case. All is computed relative to A's centre, so that far from the origin nothing is lost but what the
-// coordinates themselves have lost.
+// Deviation: an answer is accepted by its certificate alone. The simplex's nearest point v bounds the
+// distance from above; the plane through the farthest point against v, at right angles to v, bounds it from
+// below (van den Bergen 2003, ch. 4). Where rounding keeps the two apart, the query is made again in the
+// next wider type, whose answer is given in any case. All is computed relative to A's centre, so that far
+// from the origin nothing is lost but what the coordinates themselves have lost. Nearest points follow less
+// sharply than the distance: aside of one another they may be off by the root of what the distance is off,
+// about 1e-4 of the shapes' size in float.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <limits>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <type_traits>
 
 #include "agents/convex_shapes.h"
-#include "agents/expanding_polytope.h"
-#include "agents/simplex.h"
+#include "agents/gjk_descent.h"
+#include "agents/shape_distance.h"
+#include "agents/support_cores.h"
 
 namespace prairie {
-
-/// The simplex that a query ended with, from which the next one of the same two shapes starts, moved or not. With a
-/// cache of other shapes the answer is right as well, but later. Plain data, all zero at first. Answers from the cache
-/// differ from others by rounding: state that depends on them holds the cache, too.
-struct GjkCache {
-  std::uint32_t count = 0;
-  std::array<std::uint64_t, 4> keys{};  // index in A << 32 | index in B
-
-  bool operator==(const GjkCache&) const = default;
-};
-
-template <int D, typename Real>
-struct ShapeDistance {
-  Real distance_m = 0;  // negative where they overlap: the shortest way along which B moves out of A
-  glm::vec<D, Real> point_on_a_m{Real(0)};
-  glm::vec<D, Real> point_on_b_m{Real(0)};  // point_on_a_m + distance_m * normal
-  glm::vec<D, Real> normal{Real(0)};        // from A to B, a unit vector
-  int iterations = 0;
-};
-
-/// Steps of GJK after which it stops; those of the expanding polytope are bounded by its vertices.
-inline constexpr int kMostGjkIterations = 64;
-
-/// What bounds an error of the kind that rounding makes in A - B, by its points' size.
-template <typename Real>
-inline constexpr Real kGjkRounding = Real(2) * std::numeric_limits<Real>::epsilon();
-/// A gap between the bounds, relative to the distance, at which it is known well enough.
-template <typename Real>
-inline constexpr Real kGjkGap = std::is_same_v<Real, float> ? Real(1e-6) : Real(1e-12);
 
 template <typename Real>
 struct WiderReal;
@@ -63,120 +33,13 @@ struct WiderReal<double> {
   using Type = long double;
 };
 
-/// Of two cores, both relative to the same origin.
-template <int D, typename Real>
-struct CoreDistance {
-  ShapeDistance<D, Real> answer;
-  bool is_certain = false;
-};
-
-template <int D, typename Real, typename CoreA, typename CoreB>
-[[gnu::noinline]] CoreDistance<D, Real> core_depth(const CoreA& a, const CoreB& b, Real tolerance) {
-  const Penetration<D, Real> out = penetration<D, Real>(
-      [&](const glm::vec<D, Real>& direction) {
-        const auto on_a = a.support(direction), on_b = b.support(-direction);
-        return PolytopeVertex<D, Real>{on_a.point - on_b.point,
-                                       (static_cast<std::uint64_t>(on_a.index) << 32) | on_b.index};
-      },
-      tolerance);
-  CoreDistance<D, Real> found;
-  for (int i = 0; i < out.face.count; ++i) {
-    found.answer.point_on_a_m += out.face.weights[i] * a.point(static_cast<std::uint32_t>(out.face.keys[i] >> 32));
-    found.answer.point_on_b_m += out.face.weights[i] * b.point(static_cast<std::uint32_t>(out.face.keys[i]));
-  }
-  found.answer.distance_m = -out.depth;
-  found.answer.normal = out.normal;
-  found.answer.iterations = out.iterations;
-  found.is_certain = out.is_certain && out.depth >= -tolerance;
-  return found;
-}
-
-template <int D, typename Real, typename CoreA, typename CoreB>
-[[gnu::always_inline]] inline CoreDistance<D, Real> core_distance(const CoreA& a, const CoreB& b, GjkCache& cache) {
-  using Vector = glm::vec<D, Real>;
-  const Real tolerance = kGjkRounding<Real> * std::max(a.extent(), b.extent());
-  const Real tolerance2 = tolerance * tolerance;
-
-  Simplex<D, Real> simplex;
-  Vector nearest = a.centre - b.centre;
-  Real squared = std::numeric_limits<Real>::max();  // of `nearest`, once it is a point of A - B
-  if (cache.count > 0) {
-    simplex.count = std::min(static_cast<int>(cache.count), D + 1);
-    for (int i = 0; i < simplex.count; ++i) {
-      simplex.keys[i] = cache.keys[i];
-      simplex.on_a[i] = a.point(static_cast<std::uint32_t>(cache.keys[i] >> 32));
-      simplex.points[i] = simplex.on_a[i] - b.point(static_cast<std::uint32_t>(cache.keys[i]));
-    }
-    const SimplexFace<D, Real> face = nearest_to_origin(simplex);
-    if (face.count > 0) {
-      reduce(simplex, face);
-      nearest = face.nearest;
-      squared = face.squared;
-    } else {
-      simplex.count = 0;
-    }
-  }
-
-  int iterations = 0;
-  Real below = Real(0);  // the lower bound times the nearest point's distance
-  bool overlaps = squared <= tolerance2;
-  while (!overlaps && iterations < kMostGjkIterations) {
-    ++iterations;
-    const auto on_a = a.support(-nearest);
-    const auto on_b = b.support(nearest);
-    const Vector point = on_a.point - on_b.point;
-    const std::uint64_t key = (static_cast<std::uint64_t>(on_a.index) << 32) | on_b.index;
-    below = glm::dot(nearest, point);
-    const Real gap = squared - below;
-    if (gap <= kGjkGap<Real> * squared || gap * gap <= tolerance2 * squared) break;
-    bool is_known = false;
-    for (int i = 0; i < simplex.count; ++i) is_known = is_known || simplex.keys[i] == key;
-    if (is_known) break;
-
-    simplex.points[simplex.count] = point;
-    simplex.on_a[simplex.count] = on_a.point;
-    simplex.keys[simplex.count] = key;
-    ++simplex.count;
-    const SimplexFace<D, Real> face = nearest_to_origin(simplex);
-    if (!(face.squared < squared)) {
-      --simplex.count;
-      break;
-    }
-    reduce(simplex, face);
-    nearest = face.nearest;
-    squared = face.squared;
-    overlaps = squared <= tolerance2;
-  }
-
-  cache.count = static_cast<std::uint32_t>(simplex.count);
-  for (int i = 0; i < simplex.count; ++i) cache.keys[i] = simplex.keys[i];
-  if (overlaps || !(squared > Real(0))) {
-    CoreDistance<D, Real> found = core_depth<D, Real>(a, b, Real(2) * tolerance);
-    found.answer.iterations += iterations;
-    return found;
-  }
-
-  CoreDistance<D, Real> found;
-  Vector apart(Real(0));  // from B's point to A's
-  for (int i = 0; i < simplex.count; ++i) {
-    apart += simplex.weights[i] * simplex.points[i];
-    found.answer.point_on_a_m += simplex.weights[i] * simplex.on_a[i];
-  }
-  found.answer.point_on_b_m = found.answer.point_on_a_m - apart;
-  const Real per_length = Real(1) / std::sqrt(squared);
-  found.answer.normal = -per_length * nearest;
-  found.answer.distance_m = std::sqrt(glm::dot(apart, apart));
-  found.answer.iterations = iterations;
-  found.is_certain = found.answer.distance_m - per_length * below <=
-                     Real(10) * kGjkGap<Real> * found.answer.distance_m + Real(2) * tolerance;
-  return found;
-}
-
 template <typename Real, typename A, typename B, int D, typename Stored>
 [[gnu::always_inline]] inline CoreDistance<D, Real> distance_about(const A& a, const B& b,
-                                                                   const glm::vec<D, Stored>& origin_m, GjkCache& cache) {
+                                                                   const glm::vec<D, Stored>& origin_m,
+                                                                   GjkCache& cache) {
   const glm::vec<D, Real> origin(origin_m);
-  CoreDistance<D, Real> found = core_distance<D, Real>(core_of<Real>(a, origin), core_of<Real>(b, origin), cache);
+  CoreDistance<D, Real> found =
+      core_distance<D, Real>(core_of<Real>(a, origin), core_of<Real>(b, origin), cache);
   const Real radius_a = static_cast<Real>(radius_of(a)), radius_b = static_cast<Real>(radius_of(b));
   found.answer.distance_m -= radius_a + radius_b;
   found.answer.point_on_a_m += radius_a * found.answer.normal;
@@ -197,8 +60,9 @@ template <typename A, typename B, int D, typename Real>
           .iterations = wide.iterations};
 }
 
-/// Of any two shapes of agents/convex_shapes.h in the same dimension and type, whose numbers are finite and, those other
-/// than 0, between 1e-6 and 1e6 m apart from the place of the scene. Always ends with a finite answer.
+/// Of any two shapes of the same dimension and type. Their numbers are finite; sizes and distances other than
+/// 0 are between 1e-6 and 1e6 m, wherever the scene is. Always ends with a finite answer. Starts from the
+/// cache and leaves its own simplex there; allocates nothing.
 template <typename A, typename B>
 auto shape_distance(const A& a, const B& b, GjkCache& cache) {
   const auto origin_m = centre_of(a);

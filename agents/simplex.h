@@ -1,13 +1,16 @@
-// The point of a simplex that is nearest to the origin: the inner step of GJK. Its barycentric coordinates are ratios
-// of signed volumes, as in the signed-volumes method of Montanari, Petrinic & Barbieri 2017, Improving the GJK Algorithm
-// for Faster and More Reliable Distance Queries Between Two Convex Objects (ACM TOG 36(3), §4).
+// The point of a simplex that is nearest to the origin: the inner step of GJK. Its barycentric coordinates
+// are ratios of signed volumes, as in the signed-volumes method of Montanari, Petrinic & Barbieri 2017,
+// Improving the GJK Algorithm for Faster and More Reliable Distance Queries Between Two Convex Objects (ACM
+// TOG 36(3)).
 //
-// Deviations: cofactors come from cross products and are not projected onto a coordinate plane first, which saves
-// branches; where the nearest point is inside a triangle, it is taken along the triangle's normal, which keeps the
-// direction of a short distance; a volume that is all rounding makes all faces candidates.
+// Deviations: cofactors come from cross products and are not projected onto a coordinate plane first, which
+// saves branches; where the nearest point is inside a triangle, it is taken along the triangle's normal,
+// which keeps the direction of a short distance; a volume that is all rounding makes all faces candidates.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -22,8 +25,8 @@ struct Simplex {
   int count = 0;
   std::array<glm::vec<D, Real>, D + 1> points;
   std::array<glm::vec<D, Real>, D + 1> on_a;  // the support points in A
-  std::array<std::uint64_t, D + 1> keys;  // index in A << 32 | index in B
-  std::array<Real, D + 1> weights;        // of the nearest point; positive, their sum is 1
+  std::array<std::uint64_t, D + 1> keys;      // index in A << 32 | index in B
+  std::array<Real, D + 1> weights;            // of the nearest point; positive, their sum is 1
 };
 
 /// Where the nearest point is: in the face of these vertices.
@@ -74,7 +77,9 @@ void take_nearer(SimplexFace<D, Real>& best, const SimplexFace<D, Real>& other) 
 
 /// The parallelogram's signed area.
 template <typename Real>
-Real cross_of(const glm::vec<2, Real>& a, const glm::vec<2, Real>& b) { return a.x * b.y - a.y * b.x; }
+Real cross_of(const glm::vec<2, Real>& a, const glm::vec<2, Real>& b) {
+  return a.x * b.y - a.y * b.x;
+}
 
 /// In the plane a triangle that holds the origin is nearest with all three vertices, at distance 0.
 template <typename Real>
@@ -89,7 +94,8 @@ SimplexFace<2, Real> nearest_on_triangle(const Simplex<2, Real>& simplex, int i,
     const Real sum = of_a + of_b + of_c;
     face.squared = Real(0);
     face.count = 3;
-    face.vertices = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k)};
+    face.vertices = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
+                     static_cast<std::uint8_t>(k)};
     face.weights = {of_a / sum, of_b / sum, of_c / sum};
     return face;
   }
@@ -113,7 +119,8 @@ SimplexFace<3, Real> nearest_on_triangle(const Simplex<3, Real>& simplex, int i,
     face.nearest = share * normal;
     face.squared = share * height;
     face.count = 3;
-    face.vertices = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k), 0};
+    face.vertices = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(k),
+                     0};
     face.weights = {of_a * per_sum, of_b * per_sum, of_c * per_sum, Real(0)};
     return face;
   }
@@ -127,13 +134,13 @@ SimplexFace<3, Real> nearest_on_triangle(const Simplex<3, Real>& simplex, int i,
 template <typename Real>
 SimplexFace<3, Real> nearest_on_tetrahedron(const Simplex<3, Real>& simplex) {
   const glm::vec<3, Real>&a = simplex.points[0], &b = simplex.points[1], &c = simplex.points[2],
-        &d = simplex.points[3];
+                    &d = simplex.points[3];
   const glm::vec<3, Real> cd = glm::cross(c, d), ab = glm::cross(a, b);
   const std::array<Real, 4> of = {glm::dot(b, cd), -glm::dot(a, cd), glm::dot(ab, d), -glm::dot(ab, c)};
   const Real volume = of[0] + of[1] + of[2] + of[3];
-  glm::vec<3, Real> reach = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::max(glm::abs(c), glm::abs(d)));
-  const Real largest = glm::max(glm::max(reach.x, reach.y), reach.z);
-  const Real noise = Real(16) * std::numeric_limits<Real>::epsilon() * largest * largest * largest;
+  const Real reach2 =
+      std::max(std::max(glm::dot(a, a), glm::dot(b, b)), std::max(glm::dot(c, c), glm::dot(d, d)));
+  const Real noise = Real(16) * std::numeric_limits<Real>::epsilon() * reach2 * std::sqrt(reach2);
   const bool is_flat = !(volume > noise) && !(volume < -noise);
   const Real sign = volume < Real(0) ? Real(-1) : Real(1);
 

@@ -24,6 +24,10 @@ std::vector<Measurement> bench_treading(const BenchOptions& options);
 /// Milliseconds, median, in which 64 × 64 nodes of wind are filled: mean, noise, a gust, a tornado and a breeze.
 std::vector<Measurement> bench_wind_nodes(const BenchOptions& options);
 
+/// Pairs of boxes per second whose distance and nearest points are told, from cold and from a cache while they move
+/// slowly, medians of interleaved rounds; the same of FCL's two solvers, and how many times as many we tell as the faster.
+std::vector<Measurement> bench_gjk(const BenchOptions& options);
+
 // A walk over a square kilometre of a billion blades (bench/scale_scene.h):
 /// how long its frames take, what stands in which tier;
 std::vector<Measurement> bench_scale_walk(const BenchOptions& options);

@@ -76,7 +76,9 @@ inline Points box_corners(const glm::dvec3& centre, const glm::dmat3& axes, cons
 inline void shift(Points& points, const glm::dmat3& turn, const glm::dvec3& way) {
   for (glm::dvec3& point : points) point = turn * point + way;
 }
-inline glm::dvec3 dyadic(const glm::dvec3& point) { return glm::round(point * 1024.0) / 1024.0; }
+inline glm::dvec3 dyadic(const glm::dvec3& point) {
+  return glm::round(point * 1024.0) / 1024.0;
+}
 
 /// `size`: of the shapes, roughly; `small_gap`: the one of kSmallGap, absolute.
 inline PointPair convex_pair(Draw& draw, ConvexCase kind, double small_gap) {
@@ -105,7 +107,8 @@ inline PointPair convex_pair(Draw& draw, ConvexCase kind, double small_gap) {
     }
     case ConvexCase::kParallelFaces: {
       const double gaps[] = {0.0, small_gap, 0.5, -0.25};
-      const glm::dvec3 half_a = 0.5 * dyadic(draw.in_cube() + 1.2), half_b = 0.5 * dyadic(draw.in_cube() + 1.2);
+      const glm::dvec3 half_a = 0.5 * dyadic(draw.in_cube() + 1.2),
+                       half_b = 0.5 * dyadic(draw.in_cube() + 1.2);
       glm::dvec3 centre = dyadic(draw.in_cube());
       centre[draw.below(3)] = 0.0;
       const int axis = draw.below(3);
@@ -115,7 +118,8 @@ inline PointPair convex_pair(Draw& draw, ConvexCase kind, double small_gap) {
     }
     case ConvexCase::kNeedles:
     case ConvexCase::kPlates: {
-      const glm::dvec3 size = kind == ConvexCase::kNeedles ? glm::dvec3(1.0, 1e-4, 1e-4) : glm::dvec3(1.0, 1.0, 1e-4);
+      const glm::dvec3 size =
+          kind == ConvexCase::kNeedles ? glm::dvec3(1.0, 1e-4, 1e-4) : glm::dvec3(1.0, 1.0, 1e-4);
       pair = {cloud(draw, count(), size), cloud(draw, count(), size)};
       const glm::dmat3 turn = draw.rotation();
       const bool is_parallel = draw.below(3) == 0;
@@ -141,7 +145,8 @@ inline PointPair convex_pair(Draw& draw, ConvexCase kind, double small_gap) {
       break;
     }
     case ConvexCase::kFew:
-      pair = {cloud(draw, 1 + draw.below(3), glm::dvec3(1.0)), cloud(draw, 1 + draw.below(3), glm::dvec3(1.0))};
+      pair = {cloud(draw, 1 + draw.below(3), glm::dvec3(1.0)),
+              cloud(draw, 1 + draw.below(3), glm::dvec3(1.0))};
       if (draw.below(2) == 0) pair.a.push_back(pair.a[0]);
       if (draw.below(2) == 0) pair.b.push_back(0.5 * (pair.b.front() + pair.b.back()));
       if (draw.below(4) == 0) pair.b.push_back(pair.a[0]);
@@ -165,7 +170,8 @@ inline PointPair convex_pair(Draw& draw, ConvexCase kind, double small_gap) {
       break;
     }
     case ConvexCase::kFlat: {
-      pair = {cloud(draw, count(), glm::dvec3(1.0, 1.0, 0.0)), cloud(draw, count(), glm::dvec3(1.0, 1.0, 0.0))};
+      pair = {cloud(draw, count(), glm::dvec3(1.0, 1.0, 0.0)),
+              cloud(draw, count(), glm::dvec3(1.0, 1.0, 0.0))};
       const glm::dvec3 way = apart * glm::dvec3(1.0, 1.0, 0.0);
       const glm::dmat3 turn = draw.below(2) == 0 ? draw.rotation() : glm::dmat3(1.0);
       shift(pair.b, glm::dmat3(1.0), way);

@@ -21,8 +21,8 @@ using testing::PointPair;
 template <typename Real>
 using PointsIn = std::vector<glm::vec<3, Real>>;
 
-/// 0 where they overlap. With doubles as the traits' number type inner products would be rounded, which is seen far from
-/// the origin.
+/// 0 where they overlap. With doubles as the traits' number type inner products would be rounded, which is
+/// seen far from the origin.
 template <typename Real>
 double exact_distance(const PointsIn<Real>& points_a, const PointsIn<Real>& points_b) {
   using Kernel = CGAL::Homogeneous<CGAL::Gmpzf>;
@@ -45,12 +45,14 @@ double scale_of(const PointsIn<Real>& a, const PointsIn<Real>& b) {
   for (const auto& point : a) centre += glm::dvec3(point) / static_cast<double>(a.size());
   double scale = 0.0;
   for (const PointsIn<Real>* points : {&a, &b}) {
-    for (const auto& point : *points) scale = std::max(scale, largest_of(glm::abs(glm::dvec3(point) - centre)));
+    for (const auto& point : *points)
+      scale = std::max(scale, largest_of(glm::abs(glm::dvec3(point) - centre)));
   }
   return scale;
 }
 
-/// Every twelfth pair is of one kind; of each kind every fourth is far from the origin, in doubles 10 000 km away.
+/// Every twelfth pair is of one kind; of each kind every fourth is far from the origin, in doubles 10 000 km
+/// away.
 template <typename Real>
 void agrees_with_the_oracle(int pairs, std::uint64_t seed) {
   constexpr bool kIsFloat = std::is_same_v<Real, float>;
@@ -79,10 +81,18 @@ void agrees_with_the_oracle(int pairs, std::uint64_t seed) {
   ::testing::Test::RecordProperty("worst_share_of_what_is_allowed", std::to_string(worst));
 }
 
-TEST(GjkOracle, AgreesInDouble) { agrees_with_the_oracle<double>(10'008, 1); }
-TEST(GjkOracle, AgreesInFloat) { agrees_with_the_oracle<float>(10'008, 2); }
-TEST(GjkOracleLongTest, AgreesInDouble) { agrees_with_the_oracle<double>(100'008, 3); }
-TEST(GjkOracleLongTest, AgreesInFloat) { agrees_with_the_oracle<float>(100'008, 4); }
+TEST(GjkOracle, AgreesInDouble) {
+  agrees_with_the_oracle<double>(10'008, 1);
+}
+TEST(GjkOracle, AgreesInFloat) {
+  agrees_with_the_oracle<float>(10'008, 2);
+}
+TEST(GjkOracleLongTest, AgreesInDouble) {
+  agrees_with_the_oracle<double>(100'008, 3);
+}
+TEST(GjkOracleLongTest, AgreesInFloat) {
+  agrees_with_the_oracle<float>(100'008, 4);
+}
 
 }  // namespace
 }  // namespace prairie
