@@ -54,9 +54,14 @@ ConvexHull convex_hull(std::span<const glm::dvec3> points_m) {
   Mesh mesh;
   CGAL::convex_hull_3(points.begin(), points.end(), mesh);
 
+  // CGAL's order depends on where things lie in memory.
+  std::vector<Mesh::Vertex_index> order(mesh.vertices().begin(), mesh.vertices().end());
+  std::ranges::sort(order, [&](Mesh::Vertex_index a, Mesh::Vertex_index b) { return mesh.point(a) < mesh.point(b); });
+  std::vector<std::uint32_t> place(mesh.num_vertices());
   ConvexHull hull;
-  hull.vertices_m.reserve(mesh.number_of_vertices());
-  for (const Mesh::Vertex_index vertex : mesh.vertices()) {
+  hull.vertices_m.reserve(order.size());
+  for (const Mesh::Vertex_index vertex : order) {
+    place[vertex.idx()] = static_cast<std::uint32_t>(hull.vertices_m.size());
     const Point& point = mesh.point(vertex);
     hull.vertices_m.emplace_back(point.x(), point.y(), point.z());
     hull.extent_m = std::max(hull.extent_m, glm::length(hull.vertices_m.back()));
@@ -66,13 +71,15 @@ ConvexHull convex_hull(std::span<const glm::dvec3> points_m) {
     std::array<std::uint32_t, 3> triangle{};
     std::size_t corner = 0;
     for (const Mesh::Vertex_index vertex : mesh.vertices_around_face(mesh.halfedge(face)))
-      triangle.at(corner++) = static_cast<std::uint32_t>(vertex.idx());
+      triangle.at(corner++) = place[vertex.idx()];
+    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     hull.triangles.push_back(triangle);
     for (std::size_t from = 0; from < 3; ++from) {
       adjacent[triangle[from]].insert(triangle[(from + 1) % 3]);
       adjacent[triangle[from]].insert(triangle[(from + 2) % 3]);
     }
   }
+  std::ranges::sort(hull.triangles);
   for (const std::set<std::uint32_t>& neighbours : adjacent) {
     hull.first_neighbour.push_back(static_cast<std::uint32_t>(hull.neighbours.size()));
     hull.neighbours.insert(hull.neighbours.end(), neighbours.begin(), neighbours.end());
