@@ -30,6 +30,7 @@ struct Row {
   std::size_t line = 0;
   double time_s = 0.0;
   glm::dvec2 position_m{0.0};
+  bool goes_on = false;  // from the row before, however long that took
 };
 
 /// What the formats differ in once their rows are read.
@@ -169,6 +170,7 @@ void add_untimed(std::vector<Row>& rows, std::vector<Row> segment) {
     if (n > 0 && step_m == 0.0) continue;
     way_m += step_m;
     segment[n].time_s = way_m / kGpxSpeedMPerS;
+    segment[n].goes_on = n > 0;
     rows.push_back(segment[n]);
   }
 }
@@ -216,7 +218,7 @@ std::vector<Track> tracks_of(std::vector<Row>& rows, double longest_gap_s, const
                                  rows[n - 1].line, row.id),
                      "times that rise for each walker");
     }
-    if (!again || step_s > longest_gap_s) tracks.push_back({row.id, {}, {}});
+    if (!again || (step_s > longest_gap_s && !row.goes_on)) tracks.push_back({row.id, {}, {}});
     tracks.back().times_s.push_back(row.time_s);
     tracks.back().positions_m.push_back(row.position_m);
   }

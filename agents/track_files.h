@@ -5,7 +5,8 @@
 //   UCY   `obsmat.txt` of the UCY and ETH crowds (Lerner et al., Crowds by Example, CGF 26(3), 2007): eight numbers a
 //         line (frame, id, x, z, y, their velocities), metres, 25 frames a second. The velocities are passed over.
 //   GPX   (gpx_file.h) Each `trkseg` is a track of the id that it is the number of (from 0, empty ones counted and passed
-//         over). Time 0 is the first time in the file. A segment without times is walked at kGpxSpeed from time 0.
+//         over). Time 0 is the first time in the file. A segment without times is walked at kGpxSpeedMPerS from time 0,
+//         without gaps.
 //
 // A walker of whom nothing is known for longer than kLongestGapS (GPX: kLongestGpxGapS, since loggers put points 8 to 11 s
 // apart at medium and up to minutes where somebody rests) leaves and comes back: its track is split there into

@@ -36,11 +36,11 @@ Track halting() {
   Track track;
   for (int n = 0; n <= 3; ++n) {
     track.times_s.push_back(n);
-    track.positions_m.emplace_back(1.3 * n, 0.0);
+    track.positions_m.emplace_back(1.25 * n, 0.0);
   }
   for (int n = 0; n <= 3; ++n) {
     track.times_s.push_back(13.0 + n);
-    track.positions_m.emplace_back(3.9, 1.3 * n);
+    track.positions_m.emplace_back(3.75, 1.25 * n);
   }
   return track;
 }
@@ -117,7 +117,7 @@ TEST(TrackPlayback, StaysCloseToTheChordOfEachStep) {
 TEST(TrackPlayback, StandsStillBetweenEqualPlaces) {
   const TrackPlayback playback(halting());
   for (double t = 3.0; t <= 13.0; t += 0.1) {
-    EXPECT_LT(glm::distance(playback.at(t).position_m, glm::dvec2(3.9, 0.0)), 1e-12);
+    EXPECT_LT(glm::distance(playback.at(t).position_m, glm::dvec2(3.75, 0.0)), 1e-12);
     EXPECT_EQ(playback.at(t).speed_m_per_s, 0.0);
   }
 }
