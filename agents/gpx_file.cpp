@@ -130,20 +130,24 @@ std::optional<double> parse_gpx_time(std::string_view text) {
   const std::optional<int> minute = taken_number(text, 2);
   const bool colon_again = taken(text, ':');
   const std::optional<int> second = taken_number(text, 2);
-  if (!year || !dash || !month || !dash_again || !day || !t || !hour || !colon || !minute || !colon_again || !second)
+  if (!year || !dash || !month || !dash_again || !day || !t || !hour || !colon || !minute || !colon_again ||
+      !second)
     return std::nullopt;
   const std::optional<double> fraction_s = taken_fraction(text);
   const std::optional<double> zone_s = taken_zone_s(text);
-  const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
+  const std::chrono::year_month_day date{std::chrono::year(*year),
+                                         std::chrono::month(static_cast<unsigned>(*month)),
                                          std::chrono::day(static_cast<unsigned>(*day))};
   if (!fraction_s || !zone_s || !date.ok() || *hour > 23 || *minute > 59 || *second > 60) return std::nullopt;
   const auto days = std::chrono::sys_days(date).time_since_epoch().count();
-  return 86400.0 * static_cast<double>(days) + 3600.0 * *hour + 60.0 * *minute + *second + *fraction_s + *zone_s;
+  return 86400.0 * static_cast<double>(days) + 3600.0 * *hour + 60.0 * *minute + *second + *fraction_s +
+         *zone_s;
 }
 
 std::vector<std::vector<GpxPoint>> parse_gpx(std::string_view text, const std::string& name) {
   if (text.size() > kMostGpxBytes) {
-    throw BadInput(name, "", fmt::format("{} bytes", text.size()), fmt::format("at most {} of GPX", kMostGpxBytes));
+    throw BadInput(name, "", fmt::format("{} bytes", text.size()),
+                   fmt::format("at most {} of GPX", kMostGpxBytes));
   }
   LineCount lines(text);
   pugi::xml_document document;
@@ -154,7 +158,8 @@ std::vector<std::vector<GpxPoint>> parse_gpx(std::string_view text, const std::s
   }
   const pugi::xml_node root = document.document_element();
   if (std::string_view(root.name()) != "gpx")
-    throw BadInput(name, "line 1", fmt::format("<{}>", std::string_view(root.name()).substr(0, kShown)), "<gpx>");
+    throw BadInput(name, "line 1", fmt::format("<{}>", std::string_view(root.name()).substr(0, kShown)),
+                   "<gpx>");
   std::vector<std::vector<GpxPoint>> segments;
   for (const pugi::xml_node& track : root.children("trk")) {
     for (const pugi::xml_node& segment : track.children("trkseg")) {

@@ -1,5 +1,6 @@
-// GPX 1.0 and 1.1 (topografix.com/GPX/1/1): the points of its tracks, read by pugixml. Way points, routes, heights and
-// extensions are passed over; a document type is not looked at, and no entities but XML's own five are replaced.
+// GPX 1.0 and 1.1 (topografix.com/GPX/1/1): the points of its tracks, read by pugixml. Way points, routes,
+// heights and extensions are passed over; a document type is not looked at, and no entities but XML's own
+// five are replaced.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +22,12 @@ struct GpxPoint {
   std::size_t line = 1;          // of the file
 };
 
-/// The segments (`trkseg`) of all tracks in the file's order, empty ones included. Throws BadInput, the line in it, where the
-/// text is longer than kMostGpxBytes, no XML, no GPX, or holds what is no place or no time.
+/// The segments (`trkseg`) of all tracks in the file's order, empty ones included. Throws BadInput, the line
+/// in it, where the text is longer than kMostGpxBytes, no XML, no GPX, or holds what is no place or no time.
 std::vector<std::vector<GpxPoint>> parse_gpx(std::string_view text, const std::string& name);
 
-/// Seconds since 1970 of an ISO 8601 time as GPX has it: "2010-08-05T14:23:59.5+02:00"; "Z" or nothing is UTC. Nothing
-/// where it is none.
+/// Seconds since 1970 of an ISO 8601 time as GPX has it: "2010-08-05T14:23:59.5+02:00"; "Z" or nothing is
+/// UTC. Nothing where it is none.
 std::optional<double> parse_gpx_time(std::string_view text);
 
 }  // namespace prairie

@@ -24,12 +24,13 @@ double zero_between(std::span<const double> coefficients, double low, double hig
   }
 }
 
-/// 0, where the polynomial changes its sign in between, and 1: it does so at most once from one change of its slope's sign
-/// to the next.
+/// 0, where the polynomial changes its sign in between, and 1: it does so at most once from one change of its
+/// slope's sign to the next.
 std::vector<double> pieces_of_one_sign(std::span<const double> coefficients) {
   if (coefficients.size() < 2) return {0.0, 1.0};
   std::vector<double> slope;
-  for (std::size_t n = 1; n < coefficients.size(); ++n) slope.push_back(static_cast<double>(n) * coefficients[n]);
+  for (std::size_t n = 1; n < coefficients.size(); ++n)
+    slope.push_back(static_cast<double>(n) * coefficients[n]);
   const std::vector<double> turns = pieces_of_one_sign(slope);
   std::vector<double> cuts{0.0};
   for (std::size_t n = 1; n < turns.size(); ++n) {
@@ -41,12 +42,14 @@ std::vector<double> pieces_of_one_sign(std::span<const double> coefficients) {
   return cuts;
 }
 
-/// The velocity lies in the triangle of its Bézier points; where that is beyond the limit in one direction, so is all of it.
+/// The velocity lies in the triangle of its Bézier points; where that is beyond the limit in one direction,
+/// so is all of it.
 bool surely_fast(const PieceVelocity& v, double limit_m_per_s) {
   const glm::dvec2 middle = v.constant + 0.5 * v.linear, end = v.constant + v.linear + v.square;
   const glm::dvec2 along = v.constant + middle + end;
   const double bound = limit_m_per_s * glm::length(along);
-  return glm::dot(v.constant, along) > bound && glm::dot(middle, along) > bound && glm::dot(end, along) > bound;
+  return glm::dot(v.constant, along) > bound && glm::dot(middle, along) > bound &&
+         glm::dot(end, along) > bound;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// When somebody on a cubic way goes slower than a limit: exactly, so that no short halt between two sample times is missed.
+// When somebody on a cubic way goes slower than a limit: exactly, so that no short halt between two sample
+// times is missed.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -17,8 +18,8 @@ struct SlowSpell {
   double from = 0.0, to = 0.0;  // of u, 0 ≤ from < to ≤ 1
 };
 
-/// Where |velocity| < limit_m_per_s (which is above 0); in order, none touching the next. The ends are found by halving, to
-/// the last digits of double, with + − · alone.
+/// Where |velocity| < limit_m_per_s (which is above 0); in order, none touching the next. The ends are found
+/// by halving, to the last digits of double, with + − · alone.
 std::vector<SlowSpell> slow_spells(const PieceVelocity& velocity, double limit_m_per_s);
 
 }  // namespace prairie

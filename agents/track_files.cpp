@@ -56,9 +56,11 @@ Recording read_csv(std::string_view text, const std::string& name) {
     check_count(recording.rows.size() + 1, name);
     const double number = table.number(id, -kLargestId, kLargestId);
     if (number != std::trunc(number)) table.refuse(id, "a whole number");
-    recording.rows.push_back({static_cast<std::int64_t>(number), ++line,
-                              table.number(time, -kFarthestTimeS, kFarthestTimeS),
-                              {table.number(x, -kFarthestM, kFarthestM), table.number(y, -kFarthestM, kFarthestM)}});
+    recording.rows.push_back(
+        {static_cast<std::int64_t>(number),
+         ++line,
+         table.number(time, -kFarthestTimeS, kFarthestTimeS),
+         {table.number(x, -kFarthestM, kFarthestM), table.number(y, -kFarthestM, kFarthestM)}});
   }
   return recording;
 }
@@ -106,8 +108,8 @@ Row read_ucy_line(std::string_view text, std::size_t line, const std::string& na
     values[n] = *value;
   }
   if (const std::string_view more = taken_cell(text); !more.empty())
-    throw BadInput(name, fmt::format("line {}", line), fmt::format("\"{}\" behind the eighth number", more.substr(0, kShown)),
-                   "eight numbers");
+    throw BadInput(name, fmt::format("line {}", line),
+                   fmt::format("\"{}\" behind the eighth number", more.substr(0, kShown)), "eight numbers");
   return {static_cast<std::int64_t>(values[1]), line, values[0] / kUcyFramesPerS, {values[2], values[4]}};
 }
 
@@ -131,10 +133,11 @@ glm::dvec2 gpx_position_m(const GpxPoint& point, const UtmZone& zone, const std:
     throw BadInput(name, fmt::format("line {}: lat", point.line), fmt::format("{}", latitude_deg),
                    fmt::format("{} to {}, where UTM is used", kLeastUtmLatitudeDeg, kMostUtmLatitudeDeg));
   }
-  if (const double degrees = degrees_from_meridian(zone, point.at); std::abs(degrees) > kMostDegreesFromMeridian) {
+  if (const double degrees = degrees_from_meridian(zone, point.at);
+      std::abs(degrees) > kMostDegreesFromMeridian) {
     throw BadInput(name, fmt::format("line {}: lon", point.line),
-                   fmt::format("{}, {:.1f} degrees from the middle of UTM zone {}", longitude_deg, std::abs(degrees),
-                               zone.number),
+                   fmt::format("{}, {:.1f} degrees from the middle of UTM zone {}", longitude_deg,
+                               std::abs(degrees), zone.number),
                    fmt::format("at most {}", kMostDegreesFromMeridian));
   }
   return utm_m(zone, point.at);
@@ -145,8 +148,7 @@ UtmFrame frame_of_first(const std::vector<GpxSegment>& segments, const std::stri
     if (segment.empty()) continue;
     const GpxPoint& first = segment.front();
     // Any zone will do for the latitude, which is all that may be wrong before its own is known.
-    const double latitude_deg =
-        std::clamp(first.at.latitude_deg, kLeastUtmLatitudeDeg, kMostUtmLatitudeDeg);
+    const double latitude_deg = std::clamp(first.at.latitude_deg, kLeastUtmLatitudeDeg, kMostUtmLatitudeDeg);
     const UtmZone zone = standard_utm_zone({latitude_deg, first.at.longitude_deg});
     return {zone, gpx_position_m(first, zone, name)};
   }
@@ -162,7 +164,8 @@ double start_of(const std::vector<GpxSegment>& segments) {
   return start_s;
 }
 
-/// Adds a segment that has no times: at an even pace along it, points that lie where the one before does left out.
+/// Adds a segment that has no times: at an even pace along it, points that lie where the one before does left
+/// out.
 void add_untimed(std::vector<Row>& rows, std::vector<Row> segment) {
   double way_m = 0.0;
   for (std::size_t n = 0; n < segment.size(); ++n) {
@@ -187,7 +190,8 @@ Recording read_gpx(std::string_view text, const std::string& name, const std::op
     for (const GpxPoint& point : segments[n]) {
       const bool timed = segments[n].front().time_s.has_value();
       if (point.time_s.has_value() != timed) {
-        throw BadInput(name, fmt::format("line {}", point.line), timed ? "a point without a time" : "a point with a time",
+        throw BadInput(name, fmt::format("line {}", point.line),
+                       timed ? "a point without a time" : "a point with a time",
                        "a time for all points of a trkseg or for none");
       }
       const glm::dvec2 from_origin_m = gpx_position_m(point, frame.zone, name) - frame.origin_m;
@@ -267,13 +271,15 @@ Recording read_rows(std::string_view text, const std::string& name, const std::o
     cells = taken_line(cells);
     if (parse_decimal(taken_cell(cells))) return read_ucy(rest, name);
   }
-  throw BadInput(name, "line 1", line.empty() ? "nothing" : fmt::format("\"{}\"", line.substr(0, kShown)),
-                 "tracks: CSV with columns time_s, id, x_m, y_m, a UCY obsmat of eight numbers a line, or GPX");
+  throw BadInput(
+      name, "line 1", line.empty() ? "nothing" : fmt::format("\"{}\"", line.substr(0, kShown)),
+      "tracks: CSV with columns time_s, id, x_m, y_m, a UCY obsmat of eight numbers a line, or GPX");
 }
 
 }  // namespace
 
-std::vector<Track> parse_tracks(std::string_view text, const std::string& name, const std::optional<UtmFrame>& scene) {
+std::vector<Track> parse_tracks(std::string_view text, const std::string& name,
+                                const std::optional<UtmFrame>& scene) {
   Recording recording = read_rows(text, name, scene);
   if (recording.rows.empty()) throw BadInput(name, "", "no row", "at least one place of a walker");
   std::vector<Track> tracks = tracks_of(recording.rows, recording.longest_gap_s, name);

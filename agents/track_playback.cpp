@@ -25,8 +25,9 @@ glm::dvec2 turned(glm::dvec2 v, glm::dvec2 by) {
   return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x};
 }
 
-/// From one unit vector (`share` 0) to another (1) by the shorter way, left where both are as long. The tangent of a
-/// quarter of the angle goes evenly, which for angles up to π is nearly an even turn and needs no trigonometry.
+/// From one unit vector (`share` 0) to another (1) by the shorter way, left where both are as long. The
+/// tangent of a quarter of the angle goes evenly, which for angles up to π is nearly an even turn and needs
+/// no trigonometry.
 glm::dvec2 between(glm::dvec2 from, glm::dvec2 to, double share) {
   const double cosine = glm::dot(from, to), sine = from.x * to.y - from.y * to.x;
   const glm::dvec2 half = cosine > -1.0 ? direction({1.0 + cosine, sine}, {0.0, 1.0}) : glm::dvec2(0.0, 1.0);
@@ -80,7 +81,8 @@ void TrackPlayback::find_spells() {
       const double start_s = track_.times_s[step], length_s = step_s(step);
       const double from_s = start_s + spell.from * length_s;
       const double to_s = spell.to < 1.0 ? start_s + spell.to * length_s : track_.times_s[step + 1];
-      const glm::dvec2 before = direction(velocity.at(spell.from), whole), after = direction(velocity.at(spell.to), whole);
+      const glm::dvec2 before = direction(velocity.at(spell.from), whole),
+                       after = direction(velocity.at(spell.to), whole);
       if (!spells_.empty() && spells_.back().to_s == from_s) {
         spells_.back().to_s = to_s;
         spells_.back().after = after;
@@ -92,8 +94,10 @@ void TrackPlayback::find_spells() {
   if (spells_.empty()) return;
   StandingSpell &first = spells_.front(), &last = spells_.back();
   const bool from_start = first.from_s == first_s(), to_end = last.to_s == last_s();
-  if (spells_.size() == 1 && from_start && to_end) first.before = first.after = whole;
-  else if (from_start) first.before = first.after;
+  if (spells_.size() == 1 && from_start && to_end)
+    first.before = first.after = whole;
+  else if (from_start)
+    first.before = first.after;
   if (to_end && (spells_.size() > 1 || !from_start)) last.after = last.before;
 }
 
@@ -120,9 +124,10 @@ TrackPlace TrackPlayback::at(double time_s) const {
   const auto step = static_cast<std::size_t>(after - track_.times_s.begin()) - 1;
   const double u = (within_s - track_.times_s[step]) / step_s(step), rest = 1.0 - u;
   // The Hermite curve, written so that it is exact at both ends.
-  place.position_m = (1.0 + 2.0 * u) * rest * rest * track_.positions_m[step] +
-                     u * u * (1.0 + 2.0 * rest) * track_.positions_m[step + 1] +
-                     step_s(step) * u * rest * (rest * tangents_m_per_s_[step] - u * tangents_m_per_s_[step + 1]);
+  place.position_m =
+      (1.0 + 2.0 * u) * rest * rest * track_.positions_m[step] +
+      u * u * (1.0 + 2.0 * rest) * track_.positions_m[step + 1] +
+      step_s(step) * u * rest * (rest * tangents_m_per_s_[step] - u * tangents_m_per_s_[step + 1]);
   const glm::dvec2 velocity_m_per_s = piece_velocity(step).at(u);
   place.forward = forward(within_s, velocity_m_per_s);
   if (place.present) {

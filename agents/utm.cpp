@@ -21,8 +21,8 @@ double meridian_deg(const UtmZone& zone) {
 
 }  // namespace
 
-// The keys come in fours (OGC 19-008r4, 7.1.2): a head of which the last is their count, then for each its number, the tag
-// that holds its value (0: none, it follows itself), how many, the value.
+// The keys come in fours (OGC 19-008r4, 7.1.2): a head of which the last is their count, then for each its
+// number, the tag that holds its value (0: none, it follows itself), how many, the value.
 std::optional<UtmZone> utm_zone_of(const GeoReference& reference) {
   const std::vector<std::uint16_t>& keys = reference.geo_keys;
   for (std::size_t n = 4; n + 4 <= keys.size(); n += 4) {
@@ -43,7 +43,8 @@ std::optional<UtmFrame> utm_frame_of(const GeoReference& reference) {
 UtmZone standard_utm_zone(GeoPoint point) {
   assert(point.latitude_deg >= kLeastUtmLatitudeDeg && point.latitude_deg <= kMostUtmLatitudeDeg);
   using GeographicLib::UTMUPS;
-  return {UTMUPS::StandardZone(point.latitude_deg, point.longitude_deg, UTMUPS::UTM), point.latitude_deg >= 0.0};
+  return {UTMUPS::StandardZone(point.latitude_deg, point.longitude_deg, UTMUPS::UTM),
+          point.latitude_deg >= 0.0};
 }
 
 double degrees_from_meridian(const UtmZone& zone, GeoPoint point) {
@@ -53,8 +54,8 @@ double degrees_from_meridian(const UtmZone& zone, GeoPoint point) {
 glm::dvec2 utm_m(const UtmZone& zone, GeoPoint point) {
   assert(std::abs(degrees_from_meridian(zone, point)) <= kMostDegreesFromMeridian);
   glm::dvec2 at_m;
-  GeographicLib::TransverseMercator::UTM().Forward(meridian_deg(zone), point.latitude_deg, point.longitude_deg, at_m.x,
-                                                   at_m.y);
+  GeographicLib::TransverseMercator::UTM().Forward(meridian_deg(zone), point.latitude_deg,
+                                                   point.longitude_deg, at_m.x, at_m.y);
   return at_m + glm::dvec2(kFalseEastingM, zone.north ? 0.0 : kFalseNorthingM);
 }
 

@@ -1,6 +1,7 @@
-// Places on Earth as metres in the plane: Universal Transverse Mercator on WGS 84 (EPSG 32601 to 32660 north, 32701 to 32760
-// south), computed by GeographicLib (Karney, Transverse Mercator with an accuracy of a few nanometers, J. Geodesy 85,
-// 2011: the series of sixth order, good to 5 nm here). Distances are those on the ground times 0.9996 to 1.001.
+// Places on Earth as metres in the plane: Universal Transverse Mercator on WGS 84 (EPSG 32601 to 32660 north,
+// 32701 to 32760 south), computed by GeographicLib (Karney, Transverse Mercator with an accuracy of a few
+// nanometers, J. Geodesy 85, 2011: the series of sixth order, good to 5 nm here). Distances are those on the
+// ground times 0.9996 to 1.001, a zone's own width given.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -44,8 +45,8 @@ UtmZone standard_utm_zone(GeoPoint point);
 /// −180…180, positive to the east.
 double degrees_from_meridian(const UtmZone& zone, GeoPoint point);
 
-/// Easting and northing; the point lies within kMostDegreesFromMeridian of the zone's middle. South of the equator a
-/// northern zone's northing is negative.
+/// Easting and northing; the point lies within kMostDegreesFromMeridian of the zone's middle. South of the
+/// equator a northern zone's northing is negative.
 glm::dvec2 utm_m(const UtmZone& zone, GeoPoint point);
 
 }  // namespace prairie

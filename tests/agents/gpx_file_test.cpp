@@ -8,7 +8,8 @@ namespace prairie {
 namespace {
 
 std::string wrapped(const std::string& points) {
-  return "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\" xmlns=\"http://www.topografix.com/GPX/1/1\">\n<trk><trkseg>\n" +
+  return "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\" "
+         "xmlns=\"http://www.topografix.com/GPX/1/1\">\n<trk><trkseg>\n" +
          points + "\n</trkseg></trk></gpx>\n";
 }
 
@@ -25,7 +26,8 @@ BadInput fault_of(const std::string& text) {
 TEST(GpxFile, ReadsPointsTimesAndLines) {
   const auto segments = parse_gpx(
       wrapped("<trkpt lat=\"45.38\" lon=\"14.14\"><ele>733.6</ele><time>2010-10-03T09:36:30Z</time></trkpt>\n"
-              "<trkpt lon=\" -14.25 \" lat=\"-45\"/></trkseg><trkseg/><trkseg><trkpt lat=\"1\" lon=\"2\"></trkpt>"),
+              "<trkpt lon=\" -14.25 \" lat=\"-45\"/></trkseg><trkseg/><trkseg><trkpt lat=\"1\" "
+              "lon=\"2\"></trkpt>"),
       "walk.gpx");
   ASSERT_EQ(segments.size(), 3u);
   ASSERT_EQ(segments[0].size(), 2u);
@@ -48,10 +50,11 @@ TEST(GpxFile, ReadsTimes) {
   EXPECT_EQ(parse_gpx_time("2010-08-05T14:23:59"), 1281018239.0);
   EXPECT_NEAR(parse_gpx_time("2010-08-05T14:23:59.125Z").value(), 1281018239.125, 1e-6);
   EXPECT_EQ(parse_gpx_time("2000-02-29T00:00:00Z"), 951782400.0);
-  for (const char* text : {"", "today", "2010-08-05", "2010-08-05T14:23Z", "2010-13-05T14:23:59Z", "2011-02-29T14:23:59Z",
-                           "2010-08-05T24:23:59Z", "2010-08-05T14:60:59Z", "2010-08-05T14:23:61Z", "2010-08-05T14:23:59.Z",
-                           "2010-08-05T14:23:59Zulu", "2010-08-05T14:23:59+25:00", "2010-08-05T14:23:59+1",
-                           "2010-08-05T14:23:59+", "-010-08-05T14:23:59Z", "2010-08-05T14:23:+9Z"})
+  for (const char* text :
+       {"", "today", "2010-08-05", "2010-08-05T14:23Z", "2010-13-05T14:23:59Z", "2011-02-29T14:23:59Z",
+        "2010-08-05T24:23:59Z", "2010-08-05T14:60:59Z", "2010-08-05T14:23:61Z", "2010-08-05T14:23:59.Z",
+        "2010-08-05T14:23:59Zulu", "2010-08-05T14:23:59+25:00", "2010-08-05T14:23:59+1",
+        "2010-08-05T14:23:59+", "-010-08-05T14:23:59Z", "2010-08-05T14:23:+9Z"})
     EXPECT_FALSE(parse_gpx_time(text)) << text;
 }
 

@@ -1,4 +1,5 @@
-// Public recordings, where PRAIRIE_DATA names the folder that holds them: a street seen from above, and three GPX files.
+// Public recordings, where PRAIRIE_DATA names the folder that holds them: a street seen from above, and three
+// GPX files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,8 +95,8 @@ TEST_F(RecordedTracks, Zara01InCentimetresIsRefused) {
   for (const Track& track : read_tracks(zara_, "replay")) {
     for (std::size_t n = 0; n < track.times_s.size(); ++n) {
       const glm::dvec2 at_cm = 100.0 * track.positions_m[n];
-      text += std::to_string(track.times_s[n]) + "," + std::to_string(track.id) + "," + std::to_string(at_cm.x) + "," +
-              std::to_string(at_cm.y) + "\n";
+      text += std::to_string(track.times_s[n]) + "," + std::to_string(track.id) + "," +
+              std::to_string(at_cm.x) + "," + std::to_string(at_cm.y) + "\n";
     }
   }
   try {
@@ -110,7 +111,7 @@ TEST_F(RecordedTracks, GpxIsReadAndWalked) {
   struct Expected {
     const char* file;
     std::size_t points;
-    double km;            // within segments, gaps aside, on a sphere
+    double km;           // within segments, gaps aside, on a sphere
     glm::dvec2 start_m;  // easting and northing in zone 33 to some 100 m
   };
   const Expected files[] = {{"korita-zbevnica.gpx", 871, 14.82, {433000.0, 5025600.0}},
@@ -125,7 +126,8 @@ TEST_F(RecordedTracks, GpxIsReadAndWalked) {
       check_playback(track, 1.0);
     }
     EXPECT_LE(points, expected.points);
-    EXPECT_GE(points + 5, expected.points) << "points of a track without times that lie on one another are one";
+    EXPECT_GE(points + 5, expected.points)
+        << "points of a track without times that lie on one another are one";
     EXPECT_NEAR(length_m(tracks), 1000.0 * expected.km, 10.0 * expected.km);
     EXPECT_EQ(tracks.front().positions_m.front(), glm::dvec2(0.0));
     // The scene's origin only moves them.

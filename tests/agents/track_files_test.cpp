@@ -64,7 +64,8 @@ TEST(TrackFiles, ReadsWhatTheProgramWrites) {
 }
 
 TEST(TrackFiles, ColumnsMayComeInAnyOrder) {
-  const std::vector<Track> tracks = parse_tracks("\xef\xbb\xbfy_m, id ,\"x_m\",time_s\n4,1,3,0.5\n", "tracks");
+  const std::vector<Track> tracks =
+      parse_tracks("\xef\xbb\xbfy_m, id ,\"x_m\",time_s\n4,1,3,0.5\n", "tracks");
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_EQ(tracks[0].id, 1);
   EXPECT_EQ(tracks[0].positions_m[0], glm::dvec2(3.0, 4.0));
@@ -123,7 +124,8 @@ TEST(TrackFiles, RefusesTextAndNumbersThatAreNone) {
   EXPECT_EQ(fault_of("1 1 0 0 0\n").found, "nothing");
   EXPECT_EQ(fault_of("1 1.5 0 0 0 0 0 0\n").field, "line 1: id (column 2)");
   EXPECT_EQ(fault_of("1 1 0 0 0 0 0 0 0\n").field, "line 1");
-  for (const char* text : {"", "\n\n", "Dear all,\nhello\n", "hello", "<html></html>", "<gpx></gpx>", "\xef\xbb\xbf"})
+  for (const char* text :
+       {"", "\n\n", "Dear all,\nhello\n", "hello", "<html></html>", "<gpx></gpx>", "\xef\xbb\xbf"})
     fault_of(text);
 }
 
@@ -156,10 +158,11 @@ TEST(TrackFiles, PlacesGpxByItsFirstPointOrByTheScene) {
 }
 
 TEST(TrackFiles, WalksGpxWithoutTimes) {
-  const std::vector<Track> tracks = parse_tracks(
-      gpx_of("<trkseg><trkpt lat=\"45\" lon=\"15\"/><trkpt lat=\"45\" lon=\"15\"/><trkpt lat=\"45.001\" lon=\"15\"/>"
-             "<trkpt lat=\"45.001\" lon=\"15.004\"/></trkseg>"),
-      "walk.gpx");
+  const std::vector<Track> tracks =
+      parse_tracks(gpx_of("<trkseg><trkpt lat=\"45\" lon=\"15\"/><trkpt lat=\"45\" lon=\"15\"/><trkpt "
+                          "lat=\"45.001\" lon=\"15\"/>"
+                          "<trkpt lat=\"45.001\" lon=\"15.004\"/></trkseg>"),
+                   "walk.gpx");
   ASSERT_EQ(tracks.size(), 1u);
   const Track& track = tracks[0];
   ASSERT_EQ(track.times_s.size(), 3u) << "the same place twice is one, and a long way is no gap";
@@ -183,7 +186,8 @@ TEST(TrackFiles, RefusesGpxThatCannotBePlacedInTime) {
 }
 
 TEST(TrackFiles, ReadsAndRefusesFiles) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "prairie_track_files_test.csv";
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / "prairie_track_files_test.csv";
   EXPECT_THROW(read_tracks("/no/such/file", "replay"), BadInput);
   std::ofstream(file) << two_walkers(1.0);
   EXPECT_EQ(read_tracks(file, "replay").size(), 2u);

@@ -45,7 +45,8 @@ Track halting() {
   return track;
 }
 
-/// The largest angle in radians by which the heading jumps within any billionth of a second, up to what is looked for.
+/// The largest angle in radians by which the heading jumps within any billionth of a second, up to what is
+/// looked for.
 bool jumps(const TrackPlayback& playback, double from_s, double to_s) {
   if (glm::distance(playback.at(from_s).forward, playback.at(to_s).forward) < 0.1) return false;
   if (to_s - from_s < 1e-9) return true;
@@ -77,7 +78,8 @@ TEST(TrackPlayback, VelocityIsTheDerivativeAndHasNoJumps) {
     }
     for (const double t : playback.track().times_s) {
       if (t == playback.first_s() || t == playback.last_s()) continue;
-      EXPECT_LT(glm::distance(playback.at(t - 1e-9).velocity_m_per_s, playback.at(t + 1e-9).velocity_m_per_s), 1e-6);
+      EXPECT_LT(glm::distance(playback.at(t - 1e-9).velocity_m_per_s, playback.at(t + 1e-9).velocity_m_per_s),
+                1e-6);
     }
   }
 }
@@ -107,7 +109,8 @@ TEST(TrackPlayback, StaysCloseToTheChordOfEachStep) {
       for (double u = 0.0; u < 1.0; u += 0.05) {
         const double t = track.times_s[n] + u * (track.times_s[n + 1] - track.times_s[n]);
         const glm::dvec2 way_m = playback.at(t).position_m - from_m;
-        const double along = length_m > 0.0 ? std::clamp(glm::dot(way_m, step_m) / (length_m * length_m), 0.0, 1.0) : 0.0;
+        const double along =
+            length_m > 0.0 ? std::clamp(glm::dot(way_m, step_m) / (length_m * length_m), 0.0, 1.0) : 0.0;
         ASSERT_LE(glm::distance(way_m, along * step_m), 0.4445 * length_m + 1e-12) << seed << ' ' << t;
       }
     }
@@ -124,8 +127,10 @@ TEST(TrackPlayback, StandsStillBetweenEqualPlaces) {
 
 TEST(TrackPlayback, HeadingHoldsWhereTheWalkerStandsAndTurnsBeforeItSetsOff) {
   const TrackPlayback playback(halting());
-  for (double t = 0.0; t < 12.0; t += 0.1) EXPECT_LT(glm::distance(playback.at(t).forward, glm::dvec2(1, 0)), 1e-9) << t;
-  for (double t = 13.2; t < 16.0; t += 0.1) EXPECT_LT(glm::distance(playback.at(t).forward, glm::dvec2(0, 1)), 1e-9) << t;
+  for (double t = 0.0; t < 12.0; t += 0.1)
+    EXPECT_LT(glm::distance(playback.at(t).forward, glm::dvec2(1, 0)), 1e-9) << t;
+  for (double t = 13.2; t < 16.0; t += 0.1)
+    EXPECT_LT(glm::distance(playback.at(t).forward, glm::dvec2(0, 1)), 1e-9) << t;
   double turned = 0.0;
   for (double t = 12.0; t < 13.3; t += 0.01) {
     const glm::dvec2 forward = playback.at(t).forward;
@@ -143,7 +148,8 @@ TEST(TrackPlayback, HeadingFollowsTheWayIsAUnitVectorAndNeverJumps) {
       const TrackPlace place = playback.at(t);
       ASSERT_NEAR(glm::length(place.forward), 1.0, 1e-12) << seed << ' ' << t;
       if (place.speed_m_per_s > 1.001 * kStandingSpeedMPerS) {
-        ASSERT_GT(glm::dot(place.forward, place.velocity_m_per_s), 0.999999 * place.speed_m_per_s) << seed << ' ' << t;
+        ASSERT_GT(glm::dot(place.forward, place.velocity_m_per_s), 0.999999 * place.speed_m_per_s)
+            << seed << ' ' << t;
       }
       ASSERT_FALSE(jumps(playback, t, t + step_s)) << seed << ' ' << t;
     }

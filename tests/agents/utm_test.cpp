@@ -10,21 +10,23 @@ namespace {
 
 constexpr double kRadPerDeg = 0.017453292519943295;
 
-/// Snyder, Map Projections: A Working Manual (USGS PP 1395, 1987), equations 3-21 and 8-9 to 8-15, on WGS 84; millimetres
-/// within a zone.
+/// Snyder, Map Projections: A Working Manual (USGS PP 1395, 1987), equations 3-21 and 8-9 to 8-15, on WGS 84;
+/// millimetres within a zone.
 glm::dvec2 snyder_m(const UtmZone& zone, GeoPoint point) {
   constexpr double a = 6378137.0, f = 1.0 / 298.257223563, e2 = f * (2.0 - f), k0 = 0.9996;
   constexpr double e4 = e2 * e2, e6 = e4 * e2, ep2 = e2 / (1.0 - e2);
   const double phi = point.latitude_deg * kRadPerDeg;
   const double lambda = degrees_from_meridian(zone, point) * kRadPerDeg;
   const double N = a / std::sqrt(1.0 - e2 * std::sin(phi) * std::sin(phi));
-  const double T = std::tan(phi) * std::tan(phi), C = ep2 * std::cos(phi) * std::cos(phi), A = lambda * std::cos(phi);
+  const double T = std::tan(phi) * std::tan(phi), C = ep2 * std::cos(phi) * std::cos(phi),
+               A = lambda * std::cos(phi);
   const double M = a * ((1.0 - e2 / 4.0 - 3.0 * e4 / 64.0 - 5.0 * e6 / 256.0) * phi -
                         (3.0 * e2 / 8.0 + 3.0 * e4 / 32.0 + 45.0 * e6 / 1024.0) * std::sin(2.0 * phi) +
                         (15.0 * e4 / 256.0 + 45.0 * e6 / 1024.0) * std::sin(4.0 * phi) -
                         35.0 * e6 / 3072.0 * std::sin(6.0 * phi));
   const double A2 = A * A, A3 = A2 * A, A4 = A2 * A2, A5 = A4 * A, A6 = A3 * A3;
-  const double x = k0 * N * (A + (1.0 - T + C) * A3 / 6.0 + (5.0 - 18.0 * T + T * T + 72.0 * C - 58.0 * ep2) * A5 / 120.0);
+  const double x =
+      k0 * N * (A + (1.0 - T + C) * A3 / 6.0 + (5.0 - 18.0 * T + T * T + 72.0 * C - 58.0 * ep2) * A5 / 120.0);
   const double y = k0 * (M + N * std::tan(phi) *
                                  (A2 / 2.0 + (5.0 - T + 9.0 * C + 4.0 * C * C) * A4 / 24.0 +
                                   (61.0 - 58.0 * T + T * T + 600.0 * C - 330.0 * ep2) * A6 / 720.0));
@@ -32,8 +34,8 @@ glm::dvec2 snyder_m(const UtmZone& zone, GeoPoint point) {
 }
 
 TEST(Utm, AgreesWithASecondFormula) {
-  const GeoPoint points[] = {{45.45, 14.02}, {45.38, 14.144}, {39.1, -96.6}, {-33.86, 151.21}, {0.0, 3.0},
-                             {64.1, -21.9},  {-54.8, -68.3}, {45.78, 14.36}, {1.0, 179.99}};
+  const GeoPoint points[] = {{45.45, 14.02}, {45.38, 14.144}, {39.1, -96.6},  {-33.86, 151.21}, {0.0, 3.0},
+                             {64.1, -21.9},  {-54.8, -68.3},  {45.78, 14.36}, {1.0, 179.99}};
   for (const GeoPoint& point : points) {
     const UtmZone zone = standard_utm_zone(point);
     EXPECT_LE(std::abs(degrees_from_meridian(zone, point)), 3.0);

@@ -18,7 +18,8 @@ std::vector<Input> make_corpus() {
         "<trkpt lat=\"45.38\" lon=\"14.14\"><ele>7</ele><time>2010-10-03T09:36:30Z</time></trkpt>"
         "<trkpt lat=\"45.3801\" lon=\"14.14\"><time>2010-10-03T09:36:40Z</time></trkpt>"
         "<trkpt lat=\"45.3801\" lon=\"14.1401\"><time>2010-10-03T09:36:52.5+00:00</time></trkpt></trkseg>"
-        "<trkseg/><trkseg><trkpt lat=\"45\" lon=\"14\"/><trkpt lat=\"45.0001\" lon=\"14\"/></trkseg></trk></gpx>"}) {
+        "<trkseg/><trkseg><trkpt lat=\"45\" lon=\"14\"/><trkpt lat=\"45.0001\" "
+        "lon=\"14\"/></trkseg></trk></gpx>"}) {
     corpus.emplace_back(text.begin(), text.end());
   }
   return corpus;

@@ -1,5 +1,5 @@
-// Recorded tracks of walkers, whatever their format: they are refused with BadInput of one line, or are tracks, which can be
-// played back, to finite places and unit vectors.
+// Recorded tracks of walkers, whatever their format: they are refused with BadInput of one line, or are
+// tracks, which can be played back, to finite places and unit vectors.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
