@@ -72,7 +72,6 @@ TEST_F(RecordedTracks, Zara01IsWalkedAsItWasRecorded) {
   }
   EXPECT_EQ(rows, 5024);
   EXPECT_LT(worst_m, 1e-9);
-  RecordProperty("worst_m", std::to_string(worst_m));
 }
 
 TEST_F(RecordedTracks, Zara01FacesItsWay) {
