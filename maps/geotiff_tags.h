@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kGdalNodata = 42113;  // GDAL's own, a decimal nu
 
 inline constexpr std::uint16_t kModelTypeKey = 1024;
 inline constexpr std::uint16_t kRasterTypeKey = 1025;
+inline constexpr std::uint16_t kProjectedCrsKey = 3072;  // an EPSG code
 inline constexpr std::uint16_t kProjectedLinearUnitsKey = 3076;
 
 inline constexpr std::uint16_t kModelTypeGeographic = 2;
