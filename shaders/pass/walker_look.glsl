@@ -1,0 +1,56 @@
+// Skin, hair and clothes of a walker, by the place on the resting figure (agents/skeleton.h), metres.
+
+// 1 within `half_width` of 0, softened over a pixel.
+float stroke(float from_line, float half_width, float pixel_m) {
+  float soft = max(0.5 * pixel_m, 0.0008);
+  return 1.0 - smoothstep(half_width - soft, half_width + soft, abs(from_line));
+}
+
+// How much of a round spot there is.
+float spot(vec2 from_middle, vec2 half_size, float pixel_m) {
+  float soft = max(0.5 * pixel_m / half_size.y, 0.15);
+  return 1.0 - smoothstep(1.0 - soft, 1.0 + soft, length(from_middle / half_size));
+}
+
+// Height of the hairline: low at the nape, over the ears, high on the forehead.
+float hairline_m(float x) {
+  if (x > 0.03) return mix(1.650, 1.698, clamp((x - 0.03) / 0.05, 0.0, 1.0));
+  if (x > 0.0) return mix(1.598, 1.650, x / 0.03);
+  return mix(1.545, 1.598, clamp((x + 0.08) / 0.08, 0.0, 1.0));
+}
+
+vec3 head_albedo(WalkerParams walker, vec3 p, float pixel_m) {
+  float soft = max(0.7 * pixel_m, 0.005);
+  float hair = smoothstep(-soft, soft, p.z - hairline_m(p.x));
+  vec3 skin = walker.skin;
+  if (p.x > 0.05) {
+    vec2 side = vec2(abs(p.y), p.z);
+    float lips = spot(side - vec2(0.0, 1.5655), vec2(0.023, 0.0052), pixel_m);
+    skin = mix(skin, skin * vec3(0.80, 0.52, 0.50), 0.75 * lips);
+    float white = spot(side - vec2(0.0315, 1.6340), vec2(0.0135, 0.0058), pixel_m);
+    float iris = spot(side - vec2(0.0310, 1.6342), vec2(0.0058, 0.0058), pixel_m);
+    skin = mix(skin, vec3(0.55, 0.53, 0.50), white);
+    skin = mix(skin, vec3(0.022, 0.018, 0.014), max(iris, 0.85 * stroke(side.y - 1.6400, 0.0013, pixel_m) * spot(side - vec2(0.0315, 1.6400), vec2(0.0165, 0.008), pixel_m)));
+    float brow = spot(side - vec2(0.0325, 1.6545 - 0.10 * abs(side.x - 0.028)), vec2(0.0190, 0.0036), pixel_m);
+    skin = mix(skin, 0.8 * walker.hair, 0.8 * brow);
+    float nostril = spot(side - vec2(0.0085, 1.5930), vec2(0.0040, 0.0024), pixel_m);
+    skin *= 1.0 - 0.6 * nostril;
+  }
+  return mix(skin, walker.hair, hair);
+}
+
+vec3 walker_albedo(WalkerParams walker, uint material, vec3 p, float pixel_m) {
+  if (material == kWalkerHead) return head_albedo(walker, p, pixel_m);
+  if (material == kWalkerSkin) return walker.skin;
+  if (material == kWalkerShoes) return p.z < 0.018 ? vec3(0.045, 0.042, 0.040) : walker.shoes;
+  if (material == kWalkerTrousers) {
+    float seam = stroke(p.x + 0.005, 0.0015, pixel_m) * min(0.003 / max(pixel_m, 0.003), 1.0);
+    return walker.trousers * (1.0 - 0.35 * seam);
+  }
+  // The front closes along the middle; cuffs, hem and collar are hemmed.
+  float line = 0.0;
+  if (p.x > 0.03 && abs(p.y) < 0.1) line = stroke(p.y, 0.003, pixel_m) * min(0.006 / max(pixel_m, 0.006), 1.0);
+  float hems = max(stroke(p.z - 0.862, 0.0015, pixel_m), abs(p.y) > 0.13 ? stroke(p.z - 0.868, 0.0015, pixel_m) : 0.0);
+  hems *= min(0.003 / max(pixel_m, 0.003), 1.0);
+  return walker.jacket * (1.0 - 0.55 * line - 0.3 * hems);
+}
