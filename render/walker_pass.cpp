@@ -18,23 +18,40 @@ namespace {
 static_assert(layouts::kWalkerBoneRows == 3 * kJointCount);
 
 /// Heights down to which the first levels are drawn: their triangles are then some pixels large.
-constexpr std::array<double, kWalkerLevels - 1> kLeastHeightPx{260.0, 70.0};
+constexpr std::array<double, kWalkerLevels - 1> kLeastHeightPx{200.0, 60.0};
 
 // Linear.
-constexpr std::array<glm::vec3, 5> kSkins{{{0.60f, 0.38f, 0.28f}, {0.52f, 0.31f, 0.22f}, {0.40f, 0.22f, 0.145f},
-                                           {0.22f, 0.115f, 0.072f}, {0.105f, 0.055f, 0.036f}}};
-constexpr std::array<glm::vec3, 5> kHairs{{{0.012f, 0.010f, 0.009f}, {0.030f, 0.018f, 0.011f},
-                                           {0.085f, 0.048f, 0.024f}, {0.23f, 0.155f, 0.075f}, {0.26f, 0.25f, 0.24f}}};
-constexpr std::array<glm::vec3, 8> kJackets{{{0.16f, 0.022f, 0.020f}, {0.025f, 0.055f, 0.13f}, {0.060f, 0.075f, 0.035f},
-                                             {0.22f, 0.145f, 0.050f}, {0.045f, 0.046f, 0.050f}, {0.30f, 0.27f, 0.22f},
-                                             {0.030f, 0.10f, 0.105f}, {0.12f, 0.055f, 0.030f}}};
-constexpr std::array<glm::vec3, 5> kTrousers{{{0.030f, 0.040f, 0.070f}, {0.035f, 0.034f, 0.034f}, {0.120f, 0.090f, 0.058f},
-                                              {0.058f, 0.056f, 0.044f}, {0.075f, 0.085f, 0.105f}}};
-constexpr std::array<glm::vec3, 3> kShoes{{{0.045f, 0.026f, 0.015f}, {0.018f, 0.018f, 0.018f}, {0.10f, 0.085f, 0.07f}}};
+constexpr std::array<glm::vec3, 5> kSkins{{{0.60f, 0.38f, 0.28f},
+                                           {0.52f, 0.31f, 0.22f},
+                                           {0.40f, 0.22f, 0.145f},
+                                           {0.22f, 0.115f, 0.072f},
+                                           {0.105f, 0.055f, 0.036f}}};
+// Of dark-skinned people the first of them.
+constexpr std::array<glm::vec3, 5> kHairs{{{0.012f, 0.010f, 0.009f},
+                                           {0.030f, 0.018f, 0.011f},
+                                           {0.26f, 0.25f, 0.24f},
+                                           {0.085f, 0.048f, 0.024f},
+                                           {0.23f, 0.155f, 0.075f}}};
+constexpr std::size_t kLightSkins = 2, kDarkHairs = 3;
+constexpr std::array<glm::vec3, 8> kJackets{{{0.16f, 0.022f, 0.020f},
+                                             {0.025f, 0.055f, 0.13f},
+                                             {0.060f, 0.075f, 0.035f},
+                                             {0.22f, 0.145f, 0.050f},
+                                             {0.045f, 0.046f, 0.050f},
+                                             {0.30f, 0.27f, 0.22f},
+                                             {0.030f, 0.10f, 0.105f},
+                                             {0.12f, 0.055f, 0.030f}}};
+constexpr std::array<glm::vec3, 5> kTrousers{{{0.030f, 0.040f, 0.070f},
+                                              {0.035f, 0.034f, 0.034f},
+                                              {0.120f, 0.090f, 0.058f},
+                                              {0.058f, 0.056f, 0.044f},
+                                              {0.075f, 0.085f, 0.105f}}};
+constexpr std::array<glm::vec3, 3> kShoes{
+    {{0.045f, 0.026f, 0.015f}, {0.018f, 0.018f, 0.018f}, {0.10f, 0.085f, 0.07f}}};
 
-template <std::size_t N>
-glm::vec3 picked(const std::array<glm::vec3, N>& colors, std::uint32_t seed, std::uint32_t what) {
-  return colors[Kernels{}.hash_u32(Kernels{}.hash_u32(seed) + what) % N];
+/// A number below `count`, by the walker and by what is chosen.
+std::size_t choice(std::uint32_t seed, std::uint32_t what, std::size_t count) {
+  return Kernels{}.hash_u32(Kernels{}.hash_u32(seed) + what) % count;
 }
 
 WalkerParams params_of(const WalkerLook& walker, glm::dvec3 eye_m, float sward_height_m) {
@@ -45,20 +62,21 @@ WalkerParams params_of(const WalkerLook& walker, glm::dvec3 eye_m, float sward_h
     const glm::dmat3 scene_from_figure = scale * joint.axes;
     const glm::dvec3 shift_m = joint.place_m - scene_from_figure * kRestSkeleton[n].place_m - eye_m;
     for (int row = 0; row < 3; ++row) {
-      params.bones[3 * n + static_cast<std::size_t>(row)] =
-          glm::vec4(glm::dvec4(scene_from_figure[0][row], scene_from_figure[1][row], scene_from_figure[2][row], shift_m[row]));
+      params.bones[3 * n + static_cast<std::size_t>(row)] = glm::vec4(glm::dvec4(
+          scene_from_figure[0][row], scene_from_figure[1][row], scene_from_figure[2][row], shift_m[row]));
     }
   }
-  const double lower_ankle_m =
-      std::min(walker.pose[index_of(Joint::kLeftAnkle)].place_m.z, walker.pose[index_of(Joint::kRightAnkle)].place_m.z);
+  const double lower_ankle_m = std::min(walker.pose[index_of(Joint::kLeftAnkle)].place_m.z,
+                                        walker.pose[index_of(Joint::kRightAnkle)].place_m.z);
   params.ground_from_eye_m = static_cast<float>(lower_ankle_m - scale * kAnkleHeightM - eye_m.z);
   params.in_sward_m = std::max(0.9f * sward_height_m, 0.15f);
   params.seed = walker.seed;
-  params.skin = picked(kSkins, walker.seed, 1);
-  params.hair = picked(kHairs, walker.seed, 2);
-  params.jacket = picked(kJackets, walker.seed, 3);
-  params.trousers = picked(kTrousers, walker.seed, 4);
-  params.shoes = picked(kShoes, walker.seed, 5);
+  const std::size_t skin = choice(walker.seed, 1, kSkins.size());
+  params.skin = kSkins[skin];
+  params.hair = kHairs[choice(walker.seed, 2, skin < kLightSkins ? kHairs.size() : kDarkHairs)];
+  params.jacket = kJackets[choice(walker.seed, 3, kJackets.size())];
+  params.trousers = kTrousers[choice(walker.seed, 4, kTrousers.size())];
+  params.shoes = kShoes[choice(walker.seed, 5, kShoes.size())];
   return params;
 }
 
@@ -79,7 +97,8 @@ AlignedBox box_of(const WalkerLook& walker) {
 
 struct WalkerPass::Device {
   explicit Device(const std::filesystem::path& shader_folder)
-      : program(make_program(shader_folder, {"pass/walker.vert", "pass/walker.frag"})), vertex_array(make_vertex_array()) {
+      : program(make_program(shader_folder, {"pass/walker.vert", "pass/walker.frag"})),
+        vertex_array(make_vertex_array()) {
     std::vector<WalkerVertex> all_vertices;
     std::vector<std::uint16_t> all_indices;
     for (std::size_t level = 0; level < kWalkerLevels; ++level) {
@@ -143,6 +162,7 @@ void WalkerPass::prepare(StreamBuffer& stream, std::span<const WalkerLook> walke
 void WalkerPass::draw() {
   triangles_drawn_ = 0;
   std::uint32_t first = 0;
+  glEnable(GL_CULL_FACE);  // the figure is closed
   for (std::size_t level = 0; level < kWalkerLevels; ++level) {
     const std::uint32_t count = counts_[level];
     if (count == 0) continue;
@@ -152,11 +172,12 @@ void WalkerPass::draw() {
     glBindVertexArray(device_->vertex_array.get());
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 5, table_.buffer, table_.offset, table_.bytes);
     glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_SHORT,
-                                      reinterpret_cast<const void*>(part.first_index_byte), static_cast<GLsizei>(count),
-                                      part.base_vertex);
+                                      reinterpret_cast<const void*>(part.first_index_byte),
+                                      static_cast<GLsizei>(count), part.base_vertex);
     triangles_drawn_ += std::uint64_t{count} * static_cast<std::uint64_t>(part.indices) / 3;
     first += count;
   }
+  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace prairie

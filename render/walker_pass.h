@@ -1,6 +1,6 @@
-// Draws walkers: one generated figure (render/walker_mesh.h) that each walker's pose bends and its colours dress. Instanced, one
-// draw call a level of detail, which follows the figure's height in pixels; walkers out of sight are left out. A frame without
-// walkers costs nothing.
+// Draws walkers: one generated figure (render/walker_mesh.h) that each walker's pose bends and its colours
+// dress. Instanced, one draw call a level of detail, which follows the figure's height in pixels; walkers out
+// of sight are left out. A frame without walkers costs nothing.
 #pragma once
 
 #include <array>
@@ -30,9 +30,10 @@ class WalkerPass {
   WalkerPass(const WalkerPass&) = delete;
   WalkerPass& operator=(const WalkerPass&) = delete;
 
-  /// Hands a frame's walkers to the device; `sward_height_m`: of the grass that they stand in. Throws NoSuitableOpenGl,
-  /// BadInput where shaders cannot be made.
-  void prepare(StreamBuffer& stream, std::span<const WalkerLook> walkers, const Camera& camera, float sward_height_m);
+  /// Hands a frame's walkers to the device; `sward_height_m`: of the grass that they stand in. Throws
+  /// NoSuitableOpenGl, BadInput where shaders cannot be made.
+  void prepare(StreamBuffer& stream, std::span<const WalkerLook> walkers, const Camera& camera,
+               float sward_height_m);
   /// Draws them; the frame block must be bound.
   void draw();
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
