@@ -25,6 +25,7 @@
 #include "render/strip_painter.h"
 #include "render/strip_pass.h"
 #include "render/sward_tables.h"
+#include "render/walker_pass.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {

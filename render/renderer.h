@@ -16,7 +16,7 @@
 #include "lod/quality.h"
 #include "render/field_overlay.h"
 #include "render/stage_time.h"
-#include "render/walker_pass.h"
+#include "render/walker_look.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -45,7 +45,7 @@ struct FrameOptions {
   std::optional<glm::dvec3> lod_eye_m = {};            // tiers are chosen for this eye; the camera's, if not given
   bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
   FieldOverlay field_overlay = FieldOverlay::kNone;
-  std::span<const WalkerLook> walkers = {};  // to be drawn, in their poses
+  std::span<const WalkerLook> walkers = {};  // drawn among the grass; not owned
 };
 
 struct Picture {

@@ -21,31 +21,31 @@ static_assert(layouts::kWalkerBoneRows == 3 * kJointCount);
 constexpr std::array<double, kWalkerLevels - 1> kLeastHeightPx{200.0, 60.0};
 
 // Linear.
-constexpr std::array<glm::vec3, 5> kSkins{{{0.60f, 0.38f, 0.28f},
-                                           {0.52f, 0.31f, 0.22f},
-                                           {0.40f, 0.22f, 0.145f},
-                                           {0.22f, 0.115f, 0.072f},
-                                           {0.105f, 0.055f, 0.036f}}};
-// Of dark-skinned people the first of them.
-constexpr std::array<glm::vec3, 5> kHairs{{{0.012f, 0.010f, 0.009f},
+constexpr std::array<glm::vec3, 5> kSkins{{{0.46f, 0.285f, 0.205f},
+                                           {0.39f, 0.23f, 0.16f},
+                                           {0.29f, 0.16f, 0.105f},
+                                           {0.17f, 0.088f, 0.055f},
+                                           {0.085f, 0.045f, 0.030f}}};
+constexpr std::array<glm::vec3, 6> kHairs{{{0.012f, 0.010f, 0.009f},
+                                           {0.020f, 0.014f, 0.010f},
                                            {0.030f, 0.018f, 0.011f},
-                                           {0.26f, 0.25f, 0.24f},
-                                           {0.085f, 0.048f, 0.024f},
-                                           {0.23f, 0.155f, 0.075f}}};
-constexpr std::size_t kLightSkins = 2, kDarkHairs = 3;
-constexpr std::array<glm::vec3, 8> kJackets{{{0.16f, 0.022f, 0.020f},
-                                             {0.025f, 0.055f, 0.13f},
-                                             {0.060f, 0.075f, 0.035f},
-                                             {0.22f, 0.145f, 0.050f},
-                                             {0.045f, 0.046f, 0.050f},
-                                             {0.30f, 0.27f, 0.22f},
-                                             {0.030f, 0.10f, 0.105f},
-                                             {0.12f, 0.055f, 0.030f}}};
-constexpr std::array<glm::vec3, 5> kTrousers{{{0.030f, 0.040f, 0.070f},
-                                              {0.035f, 0.034f, 0.034f},
-                                              {0.120f, 0.090f, 0.058f},
-                                              {0.058f, 0.056f, 0.044f},
-                                              {0.075f, 0.085f, 0.105f}}};
+                                           {0.17f, 0.165f, 0.16f},
+                                           {0.070f, 0.041f, 0.021f},
+                                           {0.20f, 0.135f, 0.065f}}};
+constexpr std::size_t kLightSkins = 2, kDarkHairs = 4;  // dark-skinned people have one of the first of these
+constexpr std::array<glm::vec3, 8> kJackets{{{0.115f, 0.024f, 0.021f},
+                                             {0.032f, 0.050f, 0.088f},
+                                             {0.050f, 0.060f, 0.030f},
+                                             {0.155f, 0.108f, 0.045f},
+                                             {0.038f, 0.039f, 0.042f},
+                                             {0.210f, 0.190f, 0.155f},
+                                             {0.034f, 0.072f, 0.074f},
+                                             {0.088f, 0.046f, 0.028f}}};
+constexpr std::array<glm::vec3, 5> kTrousers{{{0.028f, 0.036f, 0.058f},
+                                              {0.030f, 0.029f, 0.029f},
+                                              {0.105f, 0.080f, 0.053f},
+                                              {0.050f, 0.048f, 0.039f},
+                                              {0.060f, 0.068f, 0.084f}}};
 constexpr std::array<glm::vec3, 3> kShoes{
     {{0.045f, 0.026f, 0.015f}, {0.018f, 0.018f, 0.018f}, {0.10f, 0.085f, 0.07f}}};
 

@@ -9,19 +9,12 @@
 #include <memory>
 #include <span>
 
-#include "agents/walker_pose.h"
 #include "lod/camera.h"
 #include "render/stream_buffer.h"
+#include "render/walker_look.h"
 #include "render/walker_mesh.h"
 
 namespace prairie {
-
-/// A walker as it is drawn.
-struct WalkerLook {
-  double height_m = 1.75;
-  std::uint32_t seed = 0;  // of its colours
-  WalkerPose pose{};
-};
 
 class WalkerPass {
  public:

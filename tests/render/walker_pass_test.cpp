@@ -7,30 +7,14 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "animation/heading.h"
 #include "render/light.h"
 #include "render/render_target.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
+#include "tests/render/walking.h"
 
 namespace prairie {
 namespace {
-
-constexpr double kStepS = 1.0 / 60.0;
-
-WalkerLook walking(const HeightField& ground, glm::dvec2 to_m, double heading_rad, double speed_m_per_s,
-                   double seconds, double height_m = 1.75) {
-  BodyStep body;
-  body.forward = direction_of(heading_rad);
-  body.speed_m_per_s = speed_m_per_s;
-  body.position_m = to_m - seconds * speed_m_per_s * body.forward;
-  Footing footing = standing(body.position_m, body.forward, height_m / kFigureHeightM);
-  for (double t = 0.0; t < seconds - 1e-9; t += kStepS) {
-    body.position_m += speed_m_per_s * kStepS * body.forward;
-    advance(footing, recorded_gait(), body, kStepS);
-  }
-  return {height_m, 1, pose_of(recorded_gait(), footing, body.position_m, body.forward, ground)};
-}
 
 class WalkerPassTest : public HeadlessTest {
  protected:
