@@ -28,11 +28,12 @@ vec3 head_albedo(WalkerParams walker, vec3 p, float pixel_m) {
   if (p.x > 0.05) {
     vec2 side = vec2(abs(p.y), p.z);
     float lips = spot(side - vec2(0.0, 1.5655), vec2(0.023, 0.0052), pixel_m);
-    skin = mix(skin, skin * vec3(0.80, 0.52, 0.50), 0.75 * lips);
+    skin = mix(skin, skin * vec3(0.80, 0.52, 0.50), 0.55 * lips);
     float white = spot(side - vec2(0.0315, 1.6340), vec2(0.0135, 0.0058), pixel_m);
     float iris = spot(side - vec2(0.0310, 1.6342), vec2(0.0058, 0.0058), pixel_m);
     skin = mix(skin, vec3(0.55, 0.53, 0.50), white);
-    float lashes = stroke(side.y - 1.6400, 0.0013, pixel_m) * spot(side - vec2(0.0315, 1.6400), vec2(0.0165, 0.008), pixel_m);
+    float lid = spot(side - vec2(0.0315, 1.6400), vec2(0.0165, 0.008), pixel_m);
+    float lashes = lid * stroke(side.y - 1.6400, 0.0013, pixel_m);
     skin = mix(skin, vec3(0.022, 0.018, 0.014), max(iris, 0.85 * lashes));
     float brow = spot(side - vec2(0.0325, 1.6545 - 0.10 * abs(side.x - 0.028)), vec2(0.0190, 0.0036), pixel_m);
     skin = mix(skin, 0.8 * walker.hair, 0.8 * brow);
@@ -52,7 +53,8 @@ float folds(vec3 p, float pixel_m) {
   float strength = min(dot(near_bend, vec4(0.9, 0.5, 0.9, 0.8)) + 0.08, 1.0);
   float bent = 38.0 * p.y + 4.0 * sin(17.0 * p.x + 9.0 * p.z) + 3.0 * sin(31.0 * p.x - 12.0 * p.y);
   float patches = 0.5 + 0.5 * sin(29.0 * p.y + 3.0 * sin(23.0 * p.z) + 21.0 * p.x);
-  return seen * strength * (patches * sin(6.2832 / kFoldM * p.z + bent) + (0.6 - 0.6 * patches) * sin(90.0 * p.z - 1.3 * bent));
+  float across = sin(6.2832 / kFoldM * p.z + bent), askew = sin(90.0 * p.z - 1.3 * bent);
+  return seen * strength * (patches * across + 0.6 * (1.0 - patches) * askew);
 }
 
 vec3 walker_albedo(WalkerParams walker, uint material, vec3 p, float pixel_m) {
