@@ -20,7 +20,8 @@ namespace prairie {
 namespace {
 
 constexpr std::size_t kMostName = 128;
-constexpr std::size_t kMostFrames = 1'000'000;
+constexpr std::size_t kMostFrames = 200'000;
+constexpr std::size_t kMostPlaces = 20'000'000;  // of joints in all frames
 constexpr double kMostMagnitude = 1e6;
 
 constexpr std::array<std::string_view, 6> kChannelNames = {"Xposition", "Yposition", "Zposition",
@@ -169,6 +170,9 @@ void read_frames(Words& words, std::size_t text_bytes, BvhMotion& motion) {
   // A value takes two characters at least: no more memory is asked for than the text can fill.
   if (frames > text_bytes / 2 / motion.values_per_frame)
     words.refuse("Frames:", fmt::format("as many values as {} frames need", frames));
+  if (frames * motion.joints.size() > kMostPlaces)
+    words.refuse("Frames:", fmt::format("at most {} frames of {} joints", kMostPlaces / motion.joints.size(),
+                                        motion.joints.size()));
   motion.values.reserve(frames * motion.values_per_frame);
   for (std::size_t n = 0; n < frames * motion.values_per_frame; ++n) motion.values.push_back(words.number());
   const std::string_view more = words.next();

@@ -6,10 +6,14 @@
 #include <glm/geometric.hpp>
 
 #include "agents/skeleton.h"
+#include "animation/range_check.h"
+#include "maps/error.h"
 
 namespace prairie {
 namespace {
 
+constexpr double kFastest = 20.0;  // m/s
+constexpr double kFarthestM = 1e6;
 constexpr double kSteadying = 3.0;     // m/s², of the speed that the gait follows
 constexpr double kStandsBelow = 0.05;  // m/s
 constexpr double kStandingHalfWidthM = 0.085;
@@ -80,6 +84,21 @@ double hurry_of(const Footing& footing, const Gait& gait, const BodyStep& body) 
 
 }  // namespace
 
+void check(const Footing& footing) {
+  check_range("scale", footing.scale, 0.3, 3.0);
+  check_range("phase", footing.phase, 0.0, 1.0);
+  check_range("speed_m_per_s", footing.speed_m_per_s, 0.0, kFastest);
+  for (const Foot& foot : footing.feet) {
+    check_range("position_m", foot.position_m.x, -kFarthestM, kFarthestM);
+    check_range("position_m", foot.position_m.y, -kFarthestM, kFarthestM);
+    check_range("forward", glm::length(foot.forward), 0.999, 1.001);
+    check_range("share", foot.share, 0.0, 1.0);
+    check_range("lift_phase", foot.lift_phase, 0.0, 0.999);
+  }
+  if (!footing.feet[0].planted && !footing.feet[1].planted)
+    throw BadInput("", "planted", "both feet in the air", "one at most");
+}
+
 Footing standing(glm::dvec2 position_m, glm::dvec2 forward, double scale) {
   assert(scale >= 0.3 && scale <= 3.0);
   Footing footing;
@@ -139,7 +158,7 @@ void advance(Footing& footing, const Gait& gait, const BodyStep& body, double dt
     const double ahead_m = body.speed_m_per_s * (left_s + gait.lead * stance * period_s);
     const glm::dvec2 target_m = home_m(footing, gait, body, n) + ahead_m * body.forward;
     const double done = eased(foot.share);
-    const double part = strikes ? 1.0 : (eased(share) - done) / (1.0 - done);
+    const double part = strikes ? 1.0 : (eased(share) - done) / std::max(1.0 - done, 1e-9);
     foot.position_m += part * (target_m - foot.position_m);
     foot.forward = unit(foot.forward + part * (body.forward - foot.forward), body.forward);
     foot.planted = strikes;

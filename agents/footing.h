@@ -31,6 +31,9 @@ struct Footing {
   bool operator==(const Footing&) const = default;
 };
 
+/// Throws BadInput, the field in it, where a footing that came from elsewhere cannot be one.
+void check(const Footing& footing);
+
 /// Both feet side by side. `forward`: a unit vector; `scale`: 0.3…3.
 Footing standing(glm::dvec2 position_m, glm::dvec2 forward, double scale);
 

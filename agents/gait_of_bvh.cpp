@@ -153,25 +153,28 @@ Walk measured_walk(const BvhMotion& motion, const Joints& joints, std::optional<
   walk.file = motion.file;
   walk.frame_s = motion.frame_s;
   const std::size_t count = motion.frame_count();
-  std::vector<std::vector<glm::dvec3>> places(count, std::vector<glm::dvec3>(motion.joints.size()));
-  for (std::size_t n = 0; n < count; ++n) {
-    place_joints(motion, n, places[n]);
-    for (glm::dvec3& place : places[n]) place = glm::dvec3(place.z, place.x, place.y);
-  }
-  const auto at = [&](std::size_t frame, std::size_t side, int part) {
-    return places[frame][joints.of_side[side][static_cast<std::size_t>(part)]];
+  std::vector<glm::dvec3> places(motion.joints.size());
+  const auto show = [&](std::size_t frame) {
+    place_joints(motion, frame, places);
+    for (glm::dvec3& place : places) place = glm::dvec3(place.z, place.x, place.y);
   };
+  const auto at = [&](std::size_t side, int part) {
+    return places[joints.of_side[side][static_cast<std::size_t>(part)]];
+  };
+  const auto hips = [&] { return glm::dvec2(0.5 * (at(0, kHip) + at(1, kHip))); };
+  show(count - 1);
+  const glm::dvec2 last_hips = hips();
+  show(0);
   double leg = 0.0;
   for (std::size_t side : {0, 1}) {
-    leg += 0.5 * glm::length(at(0, side, kKnee) - at(0, side, kHip));
-    leg += 0.5 * glm::length(at(0, side, kAnkle) - at(0, side, kKnee));
+    leg += 0.5 * glm::length(at(side, kKnee) - at(side, kHip));
+    leg += 0.5 * glm::length(at(side, kAnkle) - at(side, kKnee));
   }
   if (!(leg > 0.0)) refuse(motion, "legs without length");
   const double unit = unit_m.value_or(kLegM / leg);
   walk.leg_m = unit * leg;
 
-  const auto hips = [&](std::size_t frame) { return 0.5 * (at(frame, 0, kHip) + at(frame, 1, kHip)); };
-  const glm::dvec2 way(hips(count - 1) - hips(0));
+  const glm::dvec2 way = last_hips - hips();
   if (!(unit * glm::length(way) > walk.leg_m)) refuse(motion, "hips that hardly leave their place");
   const glm::dvec2 ahead = glm::normalize(way), left(-ahead.y, ahead.x);
   const auto turned = [&](glm::dvec3 p) {
@@ -181,13 +184,14 @@ Walk measured_walk(const BvhMotion& motion, const Joints& joints, std::optional<
   walk.frames.resize(count);
   Curve ankle_heights_m;
   for (std::size_t n = 0; n < count; ++n) {
+    show(n);
     WalkFrame& frame = walk.frames[n];
     for (std::size_t side : {0, 1}) {
       for (int part = 0; part < kPartCount; ++part)
-        frame.places_m[side][static_cast<std::size_t>(part)] = turned(at(n, side, part));
+        frame.places_m[side][static_cast<std::size_t>(part)] = turned(at(side, part));
       ankle_heights_m.push_back(frame.places_m[side][kAnkle].z);
     }
-    frame.neck_m = turned(places[n][joints.neck]);
+    frame.neck_m = turned(places[joints.neck]);
     if (!(frame.neck_m.z > frame.hips_m().z && frame.hips_m().z > frame.places_m[0][kAnkle].z))
       refuse(motion, fmt::format("a figure that does not stand along Y in frame {}", n));
   }

@@ -13,9 +13,11 @@ namespace {
 constexpr double kTurnsPerRad = 0.15915494309189535;
 constexpr double kMostReach = 0.995;      // of a leg's length: knees never lock
 constexpr double kStandingRise = 0.988;   // as GaitCurve::kPelvisRise, standing
-constexpr double kStandingSpread = 0.10;  // of the arms, rad
+constexpr double kStandingSpread = 0.08;  // of the arms, rad
+constexpr double kClothes = 0.06;         // rad, by which they hold the arms away
 constexpr double kStandingElbow = 0.18;
 constexpr double kForearmInward = 0.45;                   // rad
+constexpr double kHandHangs = 0.35;                       // of the elbow's flexion
 constexpr double kToesOut = 0.10;                         // rad
 constexpr double kLeanPerGrade = 0.45, kMostLean = 0.25;  // rad
 constexpr double kLeanPerSpeed = 0.025;                   // rad per m/s
@@ -243,14 +245,14 @@ class Posing {
   void place_arm(bool right) {
     const double phase = footing_.phase + (right ? 0.5 : 0.0), out = right ? -1.0 : 1.0;
     const double swing = amplitude_ * curve(GaitCurve::kArmSwing, phase);
-    const double spread = blended(kStandingSpread, curve(GaitCurve::kArmSpread, phase));
+    const double spread = kClothes + blended(kStandingSpread, curve(GaitCurve::kArmSpread, phase));
     const double elbow = std::max(blended(kStandingElbow, curve(GaitCurve::kElbow, phase)), 0.05);
     const glm::dmat3 upper =
         upright(forward_) * turn_about(kForward, out * spread) * turn_about(kLeft, -swing);
     const glm::dmat3 lower = upper * turn_about(kUp, -out * kForearmInward) * turn_about(kLeft, -elbow);
     attach(on_side(Joint::kLeftShoulder, right), upper);
     attach(on_side(Joint::kLeftElbow, right), lower);
-    attach(on_side(Joint::kLeftWrist, right), lower);
+    attach(on_side(Joint::kLeftWrist, right), lower * turn_about(kLeft, kHandHangs * elbow));
   }
 
   const Gait& gait_;

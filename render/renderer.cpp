@@ -25,6 +25,7 @@
 #include "render/strip_painter.h"
 #include "render/strip_pass.h"
 #include "render/sward_tables.h"
+#include "render/walker_pass.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {
@@ -70,6 +71,7 @@ struct Renderer::Passes {
         blades(the_world, shader_folder),
         strips(shader_folder),
         solids(shader_folder),
+        walkers(shader_folder),
         sky(shader_folder),
         field_overlay(shader_folder),
         tone_program(make_program(shader_folder, {"pass/screen.vert", "pass/tone.frag"})),
@@ -122,6 +124,7 @@ struct Renderer::Passes {
     strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();
     solids.prepare(stream, drawn_movers(*world), plan.camera);
+    walkers.prepare(stream, options.walkers, plan.camera, frame.strip_height_m);
     field_overlay.prepare(stream, *world, plan.camera.eye_m, options.field_overlay);
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
@@ -158,6 +161,7 @@ struct Renderer::Passes {
     timers.strips.end();
     timers.solids.begin();
     solids.draw();
+    walkers.draw();
     timers.solids.end();
     timers.ground.begin();
     ground->draw(plan, ground->anchor_m(plan.camera.eye_m), motion);
@@ -171,7 +175,8 @@ struct Renderer::Passes {
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
-                           statistics.strip.triangles + statistics.flat.triangles + solids.triangles_drawn();
+                           statistics.strip.triangles + statistics.flat.triangles + solids.triangles_drawn() +
+                           walkers.triangles_drawn();
   }
 
   void tone_map(GLuint linear_texture, GLuint framebuffer, glm::ivec2 size_px) {
@@ -193,6 +198,7 @@ struct Renderer::Passes {
   BladePass blades;
   StripPass strips;
   SolidPass solids;
+  WalkerPass walkers;
   std::optional<GroundPass> ground;
   GlTexture strip_texture;
   std::vector<StripTraits> strip_traits;  // by species

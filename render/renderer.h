@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lod/camera.h"
@@ -15,6 +16,7 @@
 #include "lod/quality.h"
 #include "render/field_overlay.h"
 #include "render/stage_time.h"
+#include "render/walker_look.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -43,6 +45,7 @@ struct FrameOptions {
   std::optional<glm::dvec3> lod_eye_m = {};            // tiers are chosen for this eye; the camera's, if not given
   bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
   FieldOverlay field_overlay = FieldOverlay::kNone;
+  std::span<const WalkerLook> walkers = {};  // drawn among the grass; not owned
 };
 
 struct Picture {

@@ -35,6 +35,7 @@ using uint = glm::uint;
 #include "shaders/shared/sway.glsl"
 #include "shaders/shared/texels.glsl"
 #include "shaders/shared/tile_morphs.glsl"
+#include "shaders/shared/walker.glsl"
 
 }  // namespace layouts
 
@@ -53,6 +54,7 @@ using layouts::kSwardLowestSine;
 using layouts::kSwayPeriodS;
 using layouts::StripTile;
 using layouts::StripVertex;
+using layouts::WalkerParams;
 using layouts::WindArrow;
 
 constexpr std::size_t kTexelBytes = 16;
@@ -76,6 +78,8 @@ static_assert(offsetof(SolidParams, half_size_m) == 64);
 static_assert(sizeof(SpeciesParams) == kTexelBytes * layouts::kSpeciesTexels);
 static_assert(offsetof(SpeciesParams, tip_color) == 16);
 static_assert(offsetof(SpeciesParams, height_m) == 64);
+static_assert(sizeof(WalkerParams) == 16 * 57 + 80);
+static_assert(offsetof(WalkerParams, skin) == 16 * layouts::kWalkerBoneRows);
 static_assert(sizeof(WindArrow) == 32);
 
 }  // namespace prairie

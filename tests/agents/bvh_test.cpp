@@ -65,9 +65,9 @@ TEST(Bvh, SaysInWhichLineItIsWrong) {
             "line 9|\"Wrotation\"|a channel such as Xposition or Zrotation");
   EXPECT_EQ(refusal(replaced(kTwoBones, "CHANNELS 3", "CHANNELS 7")), "line 9|\"7\"|a whole number, 0 to 6");
   EXPECT_EQ(refusal(replaced(kTwoBones, "Frames: 2", "Frames: 1.5")),
-            "line 17|\"1.5\"|a whole number, 1 to 1000000");
-  EXPECT_EQ(refusal(replaced(kTwoBones, "Frames: 2", "Frames: 999999")),
-            "line 18|\"Frames:\"|as many values as 999999 frames need");
+            "line 17|\"1.5\"|a whole number, 1 to 200000");
+  EXPECT_EQ(refusal(replaced(kTwoBones, "Frames: 2", "Frames: 199999")),
+            "line 18|\"Frames:\"|as many values as 199999 frames need");
   EXPECT_EQ(refusal(replaced(kTwoBones, "Frames: 2", "Frames: 3")),
             "line 21|the end of the file|a number, at most 1000000 in magnitude");
   EXPECT_EQ(refusal(replaced(kTwoBones, "Frames: 2", "Frames: 1")),
@@ -81,6 +81,14 @@ TEST(Bvh, DepthAndNumberOfJointsAreBounded) {
   std::string deep = "HIERARCHY ROOT a\n{\n";
   for (int n = 0; n < 100'000; ++n) deep += "JOINT b\n{\n";
   EXPECT_NE(refusal(deep).find("at most 1000 joints"), std::string::npos);
+}
+
+TEST(Bvh, JointsWithoutChannelsCostNoMemoryWithoutBound) {
+  std::string many = "HIERARCHY ROOT a\n{\nCHANNELS 1 Xrotation\n";
+  for (int n = 0; n < 900; ++n) many += "JOINT b\n{\n}\n";
+  many += "}\nMOTION\nFrames: 150000\nFrame Time: 0.01\n";
+  for (int n = 0; n < 150'000; ++n) many += "0\n";
+  EXPECT_NE(refusal(many).find("at most 22197 frames of 901 joints"), std::string::npos) << refusal(many);
 }
 
 TEST(Bvh, EveryBeginningOfAFileIsRefused) {

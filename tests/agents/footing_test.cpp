@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <string>
 
 #include "agents/skeleton.h"
 #include "animation/heading.h"
+#include "maps/error.h"
 
 namespace prairie {
 namespace {
@@ -136,6 +140,30 @@ TEST(Footing, IsTheSameEveryTime) {
     walker->walk(2.0, 0.5, -0.3);
   }
   EXPECT_EQ(a.footing, b.footing);
+}
+
+std::string refused_field(const std::function<void(Footing&)>& edit) {
+  Footing footing = standing({1.0, 2.0}, {0.0, 1.0}, 1.0);
+  edit(footing);
+  try {
+    check(footing);
+  } catch (const BadInput& bad) {
+    return bad.field;
+  }
+  return "nothing";
+}
+
+TEST(Footing, WhatCannotBeOneIsRefused) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refused_field([](Footing&) {}), "nothing");
+  EXPECT_EQ(refused_field([](Footing& f) { f.scale = 0.0; }), "scale");
+  EXPECT_EQ(refused_field([](Footing& f) { f.phase = kNan; }), "phase");
+  EXPECT_EQ(refused_field([](Footing& f) { f.speed_m_per_s = -1.0; }), "speed_m_per_s");
+  EXPECT_EQ(refused_field([](Footing& f) { f.feet[1].position_m.y = kNan; }), "position_m");
+  EXPECT_EQ(refused_field([](Footing& f) { f.feet[0].forward = {2.0, 0.0}; }), "forward");
+  EXPECT_EQ(refused_field([](Footing& f) { f.feet[0].share = 1.5; }), "share");
+  EXPECT_EQ(refused_field([](Footing& f) { f.feet[0].lift_phase = 1.0; }), "lift_phase");
+  EXPECT_EQ(refused_field([](Footing& f) { f.feet[0].planted = f.feet[1].planted = false; }), "planted");
 }
 
 }  // namespace

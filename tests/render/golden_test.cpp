@@ -17,6 +17,7 @@
 #include "render/renderer.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
+#include "tests/render/walking.h"
 
 namespace prairie {
 namespace {
@@ -101,6 +102,22 @@ TEST_F(GoldenTest, Top) {
   Camera camera = camera_above(world, {22.0, 16.0}, 20.0, 0.0, -1.5707963);
   camera.orthographic_height_m = 12.0;
   compare("top", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, {}, 4), 0.08);
+}
+
+/// Walkers near and far among the grass, from the front, the side and behind.
+TEST_F(GoldenTest, Walkers) {
+  const World world = open_world(meadow_scene(folder_));
+  const HeightField& ground = world.meadow().ground;
+  std::vector<WalkerLook> walkers = {walking(ground, {15.2, 4.4}, -1.4, 1.18, 4.3, 1.75, 3),
+                                     walking(ground, {16.5, 4.9}, 0.2, 1.5, 4.0, 1.68, 5),
+                                     walking(ground, {17.4, 6.5}, 1.5, 0.0, 0.5, 1.82, 8)};
+  for (std::uint32_t n = 0; n < 8; ++n)
+    walkers.push_back(walking(ground, {11.0 + 1.4 * n, 14.0 + 3.0 * (n % 3)}, 0.8 * n, 1.0, 3.0 + 0.1 * n, 1.7, n));
+  Camera camera = camera_above(world, {16.0, 1.0}, 1.7, 0.0, -0.15);
+  camera.size_px = {320, 240};
+  FrameOptions options;
+  options.walkers = walkers;
+  compare("walkers", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, options, 4), 0.05);
 }
 
 }  // namespace
