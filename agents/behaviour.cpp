@@ -40,12 +40,12 @@ glm::dvec2 turned(glm::dvec2 forward, double angle_rad) {
   return c * forward + s * left_of(forward);
 }
 
-Command wander(const Sight& sight, Memory& memory) {
+MotorCommand wander(const Sight& sight, Memory& memory) {
   const double closeness = noise_deviation(kWanderTurnRad, sight.nearest.distance_m, sight.sensor_m);
   return avoiding(sight, turned(sight.forward, closeness * sight.turn_noise), memory);
 }
 
-Command stroll(const Sight& sight, Memory& memory) {
+MotorCommand stroll(const Sight& sight, Memory& memory) {
   const glm::dvec2 to_home = sight.home_m - sight.position_m;
   const double away_m = glm::length(to_home);
   if (away_m <= kStrollM) return wander(sight, memory);
@@ -54,7 +54,7 @@ Command stroll(const Sight& sight, Memory& memory) {
 }
 
 /// Straight to a place, or along what is in the way until the place is nearer than where that was met.
-Command head_for(const Sight& sight, glm::dvec2 place_m, Memory& memory) {
+MotorCommand head_for(const Sight& sight, glm::dvec2 place_m, Memory& memory) {
   const glm::dvec2 way = place_m - sight.position_m;
   const double away_m = glm::length(way);
   const glm::dvec2 wanted = unit(way, sight.forward);
@@ -89,7 +89,7 @@ Command head_for(const Sight& sight, glm::dvec2 place_m, Memory& memory) {
           unit(along + 0.8 * pull * nearest.toward, along)};
 }
 
-Command to_goals(const Sight& sight, Memory& memory, bool again) {
+MotorCommand to_goals(const Sight& sight, Memory& memory, bool again) {
   if (sight.goals.empty()) return wander(sight, memory);
   const auto count = static_cast<std::int32_t>(sight.goals.size());
   const auto goal_of = [&](std::int32_t n) { return sight.goals[static_cast<std::size_t>(std::clamp(n, 0, count - 1))]; };
@@ -108,11 +108,11 @@ Command to_goals(const Sight& sight, Memory& memory, bool again) {
   return head_for(sight, goal_of(memory.goal).position_m, memory);
 }
 
-Command visit(const Sight& sight, Memory& memory) {
+MotorCommand visit(const Sight& sight, Memory& memory) {
   return to_goals(sight, memory, true);
 }
 
-Command go(const Sight& sight, Memory& memory) {
+MotorCommand go(const Sight& sight, Memory& memory) {
   return to_goals(sight, memory, false);
 }
 
@@ -138,7 +138,7 @@ double noise_deviation(double deviation, double distance_m, double sensor_m) {
   return deviation * std::clamp(distance_m / sensor_m, 0.0, 1.0);
 }
 
-Command avoiding(const Sight& sight, glm::dvec2 wanted, Memory& memory) {
+MotorCommand avoiding(const Sight& sight, glm::dvec2 wanted, Memory& memory) {
   const Percept& nearest = sight.nearest;
   const double share = std::clamp(nearest.distance_m / sight.sensor_m, 0.0, 1.0);
   const double facing = glm::dot(wanted, nearest.toward);

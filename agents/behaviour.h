@@ -62,7 +62,7 @@ struct Sight {
   std::span<const Goal> goals;
 };
 
-struct Command {
+struct MotorCommand {
   double speed_m_per_s = 0.0;    // v
   glm::dvec2 heading{1.0, 0.0};  // φ, as a unit vector
 };
@@ -71,7 +71,7 @@ struct Behaviour {
   std::string_view name;
   std::string_view what;  // in a line
   bool needs_goals;
-  Command (*decide)(const Sight& sight, Memory& memory);
+  MotorCommand (*decide)(const Sight& sight, Memory& memory);
 };
 
 /// wander, visit, go, stroll.
@@ -80,7 +80,7 @@ std::span<const Behaviour> behaviours();
 const Behaviour* find_behaviour(std::string_view name);
 
 /// The command that leads where `wanted` points as far as obstacles let it. `wanted`: a unit vector.
-Command avoiding(const Sight& sight, glm::dvec2 wanted, Memory& memory);
+MotorCommand avoiding(const Sight& sight, glm::dvec2 wanted, Memory& memory);
 
 /// σ for an obstacle at d (facts: the paper's intent, not its formula); `deviation`: σ₀.
 double noise_deviation(double deviation, double distance_m, double sensor_m);

@@ -255,7 +255,7 @@ std::vector<Percept> Crowd::percepts(std::span<const Footprint> movers) const {
   return percepts;
 }
 
-Command Crowd::decided(std::size_t index, const Percept& nearest, double time_s, Memory& memory) const {
+MotorCommand Crowd::decided(std::size_t index, const Percept& nearest, double time_s, Memory& memory) const {
   if (steered_[index]) return *steered_[index];
   const WalkerTraits& traits = traits_[index];
   const Walker& walker = walkers_[index];
@@ -269,7 +269,7 @@ Command Crowd::decided(std::size_t index, const Percept& nearest, double time_s,
   sight.home_m = traits.home_m;
   sight.turn_noise = noise_at(seed_, traits.id, Purpose::kWander, 0.5 * time_s);
   sight.goals = groups_[traits.group].goals;
-  Command command = traits.behaviour->decide(sight, memory);
+  MotorCommand command = traits.behaviour->decide(sight, memory);
   const double sigma = noise_deviation(traits.noise, nearest.distance_m, traits.sensor_m);
   command.speed_m_per_s *= std::max(1.0 + sigma * noise_at(seed_, traits.id, Purpose::kSpeedNoise, time_s), 0.0);
   const double aside = sigma * noise_at(seed_, traits.id, Purpose::kHeadingNoise, time_s);
@@ -283,7 +283,7 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
   Walker walker = walkers_[index];
   const Disc body{walker.position_m, traits.radius_m};
   const Percept nearest = perceived(index, neighbours, around.movers);
-  const Command command = decided(index, nearest, time_s, walker.memory);
+  const MotorCommand command = decided(index, nearest, time_s, walker.memory);
 
   // Speed and heading follow the command (G03 §5.3).
   walker.forward = turned_towards(walker.forward, command.heading, dt_s);
@@ -357,7 +357,7 @@ std::vector<TreadStep> Crowd::step(const CrowdSurroundings& around, double time_
   return treads;
 }
 
-void Crowd::steer(std::size_t walker, const Command& command) {
+void Crowd::steer(std::size_t walker, const MotorCommand& command) {
   assert(walker < steered_.size() && command.speed_m_per_s >= 0.0);
   steered_[walker] = command;
 }
@@ -375,16 +375,12 @@ void Crowd::restore(std::vector<Walker> walkers) {
   constexpr double kFarthestM = 1e7;
   const auto is_place = [](glm::dvec2 p) { return std::abs(p.x) <= kFarthestM && std::abs(p.y) <= kFarthestM; };
   const auto is_unit = [](glm::dvec2 v) { return std::abs(glm::dot(v, v) - 1.0) < 1e-6; };
-  const auto is_share = [](double share) { return share >= 0.0 && share <= 1.0; };
   for (std::size_t n = 0; n < walkers.size(); ++n) {
     const Walker& walker = walkers[n];
     bool is_good = is_place(walker.position_m) && is_unit(walker.forward) && walker.speed_m_per_s >= 0.0 &&
                    walker.speed_m_per_s <= 2.0 * kFastestM_per_s;
-    const Footing& footing = walker.footing;
-    is_good = is_good && footing.scale == walkers_[n].footing.scale && is_share(footing.phase) &&
-              footing.speed_m_per_s >= 0.0 && footing.speed_m_per_s <= 2.0 * kFastestM_per_s;
-    for (const Foot& foot : footing.feet)
-      is_good = is_good && is_place(foot.position_m) && is_unit(foot.forward) && is_share(foot.share) && is_share(foot.lift_phase);
+    check(walker.footing);
+    is_good = is_good && walker.footing.scale == walkers_[n].footing.scale;
     const Memory& memory = walker.memory;
     const auto goals = static_cast<std::int32_t>(groups_[traits_[n].group].goals.size());
     is_good = is_good && memory.turn >= -1 && memory.turn <= 1 && memory.goal >= 0 && memory.goal <= std::max(goals - 1, 0);

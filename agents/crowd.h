@@ -79,7 +79,7 @@ class Crowd {
   std::vector<TreadStep> step(const CrowdSurroundings& around, double time_s, double dt_s, std::uint32_t first_id);
 
   /// From now on this walker obeys the command, as far as nothing is in its way; no part of the state.
-  void steer(std::size_t walker, const Command& command);
+  void steer(std::size_t walker, const MotorCommand& command);
   /// It decides for itself again.
   void release(std::size_t walker);
   bool is_steered(std::size_t walker) const { return steered_[walker].has_value(); }
@@ -94,14 +94,14 @@ class Crowd {
   class Neighbours;
 
   Percept perceived(std::size_t index, const Neighbours& neighbours, std::span<const Footprint> movers) const;
-  Command decided(std::size_t index, const Percept& nearest, double time_s, Memory& memory) const;
+  MotorCommand decided(std::size_t index, const Percept& nearest, double time_s, Memory& memory) const;
   Walker moved(std::size_t index, const Neighbours& neighbours, const CrowdSurroundings& around, double time_s,
                double dt_s) const;
 
   std::vector<Group> groups_;
   std::vector<WalkerTraits> traits_;
   std::vector<Walker> walkers_;
-  std::vector<std::optional<Command>> steered_;
+  std::vector<std::optional<MotorCommand>> steered_;
   ObstacleMap obstacles_;
   Gait gait_;
   std::uint32_t seed_ = 0;

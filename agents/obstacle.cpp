@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "animation/heading.h"
 #include "animation/range_check.h"
@@ -123,6 +124,16 @@ std::vector<Footprint> footprints_of(const Wall& wall) {
   const glm::dvec2 low_m = box.low_m - kWallReachM, high_m = box.high_m + kWallReachM;
   add({{low_m, {high_m.x, low_m.y}, high_m, {low_m.x, high_m.y}}, {wall.outline.outer_m}});
   for (const std::vector<glm::dvec2>& hole_m : wall.outline.holes_m) add({hole_m, {}});
+  return footprints;
+}
+
+std::vector<Footprint> footprints_of(const StandingThings& things, const HeightField& ground) {
+  std::vector<Footprint> footprints;
+  for (const Obstacle& obstacle : things.obstacles) footprints.push_back(footprint_of(obstacle, ground));
+  for (const Wall& wall : things.walls) {
+    std::vector<Footprint> pieces = footprints_of(wall);
+    footprints.insert(footprints.end(), std::make_move_iterator(pieces.begin()), std::make_move_iterator(pieces.end()));
+  }
   return footprints;
 }
 

@@ -50,6 +50,12 @@ struct Wall {
   double height_m = 0.0;  // as drawn, 0…100; 0: not at all
 };
 
+/// All that stands in a scene.
+struct StandingThings {
+  std::vector<Obstacle> obstacles;
+  std::vector<Wall> walls;
+};
+
 /// Throws BadInput, the field in it, on a number that is not finite or out of range, or an outline that convex_pieces() refuses.
 void check(const Obstacle& obstacle);
 void check(const Wall& wall);
@@ -75,5 +81,6 @@ RockFrame placed(const Rock& rock, const HeightField& ground);
 Footprint footprint_of(const Obstacle& obstacle, const HeightField& ground);
 std::vector<Footprint> footprints_of(const Wall& wall);
 inline constexpr double kWallReachM = 25.0;
+std::vector<Footprint> footprints_of(const StandingThings& things, const HeightField& ground);
 
 }  // namespace prairie

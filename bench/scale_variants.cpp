@@ -4,7 +4,7 @@
 
 #include "bench/benches.h"
 #include "bench/scale_folder.h"
-#include "bench/scale_walker.h"
+#include "bench/walking_eye.h"
 #include "bench/timing.h"
 #include "render/context.h"
 
@@ -20,13 +20,13 @@ std::vector<Measurement> bench_scale_variants(const BenchOptions& options) {
   const ScaleGround ground = scale_ground(folder.path());
   const HeadlessContext context(options.device);
   const OffscreenTarget target({800, 600});
-  Walker plain(ground, {}, options);
-  Walker sparse(ground, {.density_factor = 0.1}, options);
-  Walker dense(ground, {.density_factor = 10.0}, options);
-  Walker repeated(ground, {.repeats = true}, options);
-  Walker windy(ground, {.windy = true}, options);
+  WalkingEye plain(ground, {}, options);
+  WalkingEye sparse(ground, {.density_factor = 0.1}, options);
+  WalkingEye dense(ground, {.density_factor = 10.0}, options);
+  WalkingEye repeated(ground, {.repeats = true}, options);
+  WalkingEye windy(ground, {.windy = true}, options);
   for (int frame = -kWarmUpFrames; frame < kVariantFrames; ++frame) {
-    for (Walker* walker : {&plain, &sparse, &dense, &repeated, &windy}) walker->step(frame, target);
+    for (WalkingEye* walker : {&plain, &sparse, &dense, &repeated, &windy}) walker->step(frame, target);
   }
   const double sparse_ms = median(sparse.frame_ms());
   const double dense_ms = median(dense.frame_ms());

@@ -10,7 +10,7 @@
 #include "bench/scale_limit.h"
 #include "bench/scale_probe.h"
 #include "bench/scale_shares.h"
-#include "bench/scale_walker.h"
+#include "bench/walking_eye.h"
 #include "bench/timing.h"
 #include "render/context.h"
 
@@ -26,7 +26,7 @@ void tell_times(const char* what, const std::vector<double>& times_ms, std::ostr
   details << '\n';
 }
 
-void measure_walk(Walker& walker, const OffscreenTarget& target, const BenchOptions& options,
+void measure_walk(WalkingEye& walker, const OffscreenTarget& target, const BenchOptions& options,
                   std::vector<Measurement>& measurements) {
   const BladeProbe probe;
   probe.measure_ms(target);
@@ -46,7 +46,7 @@ void measure_walk(Walker& walker, const OffscreenTarget& target, const BenchOpti
   tell_times("probe", probe_ms, *options.details);
 }
 
-void count_blades(const Walker& walker, const BenchOptions& options, std::vector<Measurement>& measurements) {
+void count_blades(const WalkingEye& walker, const BenchOptions& options, std::vector<Measurement>& measurements) {
   const FrameStatistics& statistics = walker.statistics();
   measurements.push_back({"scale.blades_in_scene", expected_blades(walker.world())});
   measurements.push_back(
@@ -66,7 +66,7 @@ void count_blades(const Walker& walker, const BenchOptions& options, std::vector
   }
 }
 
-void measure_shares(Walker& walker, std::vector<Measurement>& measurements) {
+void measure_shares(WalkingEye& walker, std::vector<Measurement>& measurements) {
   const TierShares shares = tier_shares(walker.renderer(), walker.camera(kWalkFrames - 1));
   measurements.push_back({"scale.share_spline", shares.spline});
   measurements.push_back({"scale.share_hermite", shares.hermite});
@@ -76,7 +76,7 @@ void measure_shares(Walker& walker, std::vector<Measurement>& measurements) {
 }
 
 /// Frames in turn with their blades alone, drawn plainly.
-void measure_limit(Walker& walker, const OffscreenTarget& target, const BenchOptions& options,
+void measure_limit(WalkingEye& walker, const OffscreenTarget& target, const BenchOptions& options,
                    std::vector<Measurement>& measurements) {
   FrameLimit limit(walker.world(), options.shader_folder);
   std::vector<double> limit_ms;
@@ -110,7 +110,7 @@ std::vector<Measurement> bench_scale_walk(const BenchOptions& options) {
   std::vector<Measurement> measurements = {{"scale.ground", 0.0, ground.name}};
   const HeadlessContext context(options.device);
   const OffscreenTarget target({800, 600});
-  Walker walker(ground, {}, options);
+  WalkingEye walker(ground, {}, options);
   measure_walk(walker, target, options, measurements);
   count_blades(walker, options, measurements);
   measure_shares(walker, measurements);

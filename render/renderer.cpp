@@ -1,3 +1,4 @@
+#include "render/drawn_walkers.h"
 #include "render/renderer.h"
 
 #include <algorithm>
@@ -124,7 +125,9 @@ struct Renderer::Passes {
     strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();
     solids.prepare(stream, drawn_movers(*world), plan.camera);
-    walkers.prepare(stream, options.walkers, plan.camera, frame.strip_height_m);
+    std::vector<WalkerLook> looks = drawn_walkers(*world, plan.camera);
+    looks.insert(looks.end(), options.walkers.begin(), options.walkers.end());
+    walkers.prepare(stream, looks, plan.camera, frame.strip_height_m);
     field_overlay.prepare(stream, *world, plan.camera.eye_m, options.field_overlay);
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();

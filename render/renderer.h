@@ -45,7 +45,7 @@ struct FrameOptions {
   std::optional<glm::dvec3> lod_eye_m = {};            // tiers are chosen for this eye; the camera's, if not given
   bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
   FieldOverlay field_overlay = FieldOverlay::kNone;
-  std::span<const WalkerLook> walkers = {};  // drawn among the grass; not owned
+  std::span<const WalkerLook> walkers = {};  // drawn besides the world's; not owned
 };
 
 struct Picture {

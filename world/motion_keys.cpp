@@ -1,12 +1,11 @@
 #include "world/motion_keys.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 
 #include "animation/tread_checks.h"
 #include "world/foreign_check.h"
+#include "world/point_list.h"
 #include "world/scene_names.h"
 
 namespace prairie {
@@ -14,7 +13,6 @@ namespace {
 
 // Inside the range of most_tilt_rad (animation/tread_checks.cpp), in degrees that are written down easily.
 constexpr Bounds kMostTiltDeg{6.0, 89.9};
-constexpr Bounds kPositionM{-1e6, 1e6};
 
 struct TreadKey {
   const char* key;  // as the member
@@ -26,24 +24,6 @@ constexpr TreadKey kTreadKeys[] = {
     {"worn_slowing", &TreadSettings::worn_slowing}, {"wear_passes", &TreadSettings::wear_passes},
     {"worn_field", &TreadSettings::worn_field},
 };
-
-std::vector<glm::dvec2> read_path(TableReader& table) {
-  const std::string expected = fmt::format("2 to {} points [[x, y], …] in metres", kMaxPathPoints);
-  const toml::node* value = table.node("path_m");
-  if (value == nullptr) table.refuse_missing("path_m", expected);
-  const auto* list = value->as_array();
-  if (list == nullptr || list->size() < 2 || list->size() > kMaxPathPoints) table.refuse("path_m", expected);
-  std::vector<glm::dvec2> points_m;
-  for (const toml::node& element : *list) {
-    const auto* point = element.as_array();
-    if (point == nullptr || point->size() != 2) {
-      table.refuse("path_m", fmt::format("no [x, y] as point {}", points_m.size()), expected);
-    }
-    points_m.emplace_back(table.checked_number("path_m", (*point)[0], kPositionM),
-                          table.checked_number("path_m", (*point)[1], kPositionM));
-  }
-  return points_m;
-}
 
 }  // namespace
 
@@ -77,7 +57,7 @@ MoverSpec read_mover(TableReader& table, const std::vector<std::string>& taken) 
   path.speed_m_per_s = table.any_number("speed_m_per_s").value_or(path.speed_m_per_s);
   path.start_s = table.any_number("start_s").value_or(path.start_s);
   path.loops = table.flag("loops").value_or(path.loops);
-  path.path_m = read_path(table);
+  path.path_m = read_points(table, "path_m", {2, kMaxPathPoints});
   table.refuse_unknown_keys();
   check_by(table, "", [&] { check(path); });
   return mover;

@@ -13,7 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#include "agents/crowd_spec.h"
 #include "agents/mover.h"
+#include "agents/obstacle.h"
 #include "animation/tread_node.h"
 #include "animation/wind_primitives.h"
 #include "generator/species.h"
@@ -72,6 +74,12 @@ struct MoverSpec {
   MoverPath path;
 };
 
+/// A place that walkers go to.
+struct GoalSpec {
+  std::string name;
+  Goal goal;
+};
+
 struct LodSpec {
   Quality quality = Quality::kMedium;
   double blade_distance_m = 120.0;  // beyond it only the flat tier is drawn
@@ -93,6 +101,9 @@ struct Scene {
   std::optional<WindSpec> wind;  // none: calm air
   TreadSettings treading;
   std::vector<MoverSpec> movers;
+  StandingThings standing;
+  std::vector<GoalSpec> goals;
+  std::vector<WalkerGroup> walkers;
   glm::vec3 soil_color{0.11f, 0.08f, 0.05f};  // linear albedo of bare ground
 };
 
@@ -107,7 +118,9 @@ inline constexpr double kMaxDensityPerM2 = 1e5;
 inline constexpr int kMaxSpecies = 16;
 inline constexpr std::size_t kMaxWindPrimitives = 64;
 inline constexpr std::size_t kMaxMovers = 1000;
-inline constexpr std::size_t kMaxPathPoints = 1000;  // of a mover
+inline constexpr std::size_t kMaxPathPoints = 1000;  // of a mover, or of a wall's ring
+inline constexpr std::size_t kMaxObstacles = 10'000;
+inline constexpr std::size_t kMaxWalls = 1000;
 
 /// Reads DIR/scene.toml; `overrides` are "key=value" with dotted keys ("lod.quality=high",
 /// "species.0.height_m=0.5" or by name "species.fescue.height_m=0.5") and TOML values, or plain text. Every

@@ -25,6 +25,9 @@ class CanonicalText {
   void add(std::string_view name, const glm::vec3& value) {
     line(name, fmt::format("{} {} {}", value.x, value.y, value.z));
   }
+  void add(std::string_view name, const glm::dvec3& value) {
+    line(name, fmt::format("{} {} {}", value.x, value.y, value.z));
+  }
   void add(std::string_view name, const glm::dvec2& value) {
     line(name, fmt::format("{} {}", value.x, value.y));
   }
@@ -151,6 +154,52 @@ void add_mover(CanonicalText& text, const MoverSpec& mover) {
   for (const glm::dvec2 point_m : mover.path.path_m) text.add("point_m", point_m);
 }
 
+void add_obstacle(CanonicalText& text, const Trunk& trunk) {
+  text.add("trunk", trunk.position_m);
+  text.add("radius_m", trunk.radius_m);
+  text.add("height_m", trunk.height_m);
+}
+
+void add_obstacle(CanonicalText& text, const Block& block) {
+  text.add("box", block.position_m);
+  text.add("size_m", block.size_m);
+  text.add("heading_rad", block.heading_rad);
+}
+
+void add_obstacle(CanonicalText& text, const Rock& rock) {
+  text.add("rock", rock.position_m);
+  text.add("size_m", rock.size_m);
+  text.add("heading_rad", rock.heading_rad);
+  text.add("seed", std::uint64_t{rock.seed});
+}
+
+void add_wall(CanonicalText& text, const Wall& wall) {
+  text.add("wall", static_cast<std::uint64_t>(wall.walkers));
+  text.add("height_m", wall.height_m);
+  for (const glm::dvec2 point_m : wall.outline.outer_m) text.add("outer_m", point_m);
+  for (const auto& hole_m : wall.outline.holes_m) {
+    text.add("hole", static_cast<std::uint64_t>(hole_m.size()));
+    for (const glm::dvec2 point_m : hole_m) text.add("hole_m", point_m);
+  }
+}
+
+void add_walkers(CanonicalText& text, const WalkerGroup& group) {
+  text.add("walkers", group.name);
+  text.add("count", std::uint64_t{group.count});
+  text.add("behaviour", group.behaviour);
+  for (const Goal& goal : group.goals) {
+    text.add("goal", goal.position_m);
+    text.add("radius_m", goal.radius_m);
+    text.add("stay_s", goal.stay_s);
+  }
+  text.add("centre_m", group.centre_m);
+  for (const glm::dvec2 start_m : group.starts_m) text.add("start_m", start_m);
+  for (const double value : {group.radius_m, group.speed_m_per_s, group.speed_spread, group.height_m, group.height_spread,
+                             group.body_radius_m, group.sensor_m, group.noise}) {
+    text.add("parameter", value);
+  }
+}
+
 }  // namespace
 
 std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes) {
@@ -176,6 +225,10 @@ std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::ui
   add_wind(text, scene.wind, content_hashes);
   add_treading(text, scene.treading);
   for (const MoverSpec& mover : scene.movers) add_mover(text, mover);
+  for (const Obstacle& obstacle : scene.standing.obstacles)
+    std::visit([&](const auto& one) { add_obstacle(text, one); }, obstacle);
+  for (const Wall& wall : scene.standing.walls) add_wall(text, wall);
+  for (const WalkerGroup& group : scene.walkers) add_walkers(text, group);
   return text.hash();
 }
 
@@ -185,6 +238,28 @@ std::uint64_t motion_hash(const Scene& scene, const std::map<std::string, std::u
   unseen.sun = SunSpec{};
   unseen.lod = LodSpec{};
   return scene_hash(unseen, content_hashes);
+}
+
+std::uint64_t motion_hash_with(std::uint64_t motion_hash, const std::optional<Gait>& gait,
+                               const std::optional<std::vector<Track>>& tracks) {
+  if (!gait && !tracks) return motion_hash;
+  CanonicalText text;
+  text.add("scene", motion_hash);
+  if (gait) {
+    for (const double value : {gait->speed_m_per_s, gait->period_s, gait->stance, gait->lead, gait->half_width})
+      text.add("gait", value);
+    for (const auto& curve : gait->keys) {
+      for (const double key : curve) text.add("key", key);
+    }
+  }
+  if (tracks) {
+    for (const Track& track : *tracks) {
+      text.add("track", static_cast<std::uint64_t>(track.id));
+      text.add("times", std::uint64_t{XXH3_64bits(track.times_s.data(), track.times_s.size() * sizeof(double))});
+      text.add("places", std::uint64_t{XXH3_64bits(track.positions_m.data(), track.positions_m.size() * sizeof(glm::dvec2))});
+    }
+  }
+  return text.hash();
 }
 
 }  // namespace prairie

@@ -4,8 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "agents/gait.h"
+#include "agents/track.h"
 #include "world/scene.h"
 
 namespace prairie {
@@ -16,5 +20,9 @@ std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::ui
 
 /// The same of what grows and moves alone: equal for other cameras, another light, another quality.
 std::uint64_t motion_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes);
+
+/// The same where walkers move by another gait, or along recorded tracks.
+std::uint64_t motion_hash_with(std::uint64_t motion_hash, const std::optional<Gait>& gait,
+                               const std::optional<std::vector<Track>>& tracks);
 
 }  // namespace prairie

@@ -9,6 +9,7 @@
 #include "world/motion_keys.h"
 #include "world/scene_names.h"
 #include "world/species_keys.h"
+#include "world/crowd_keys.h"
 #include "world/wind_keys.h"
 
 namespace prairie {
@@ -246,6 +247,7 @@ Scene scene_from_table(const toml::table& table, const TomlOrigin& origin,
   if (auto wind = root.table("wind")) scene.wind = read_wind(*wind, folder);
   if (auto treading = root.table("treading")) scene.treading = read_treading(*treading);
   read_movers(root, scene);
+  read_crowd(root, scene);
   root.refuse_unknown_keys();
   if (scene.species.empty()) root.refuse_missing("species", "at least one [[species]]");
   if (!has_an_extent(scene)) {

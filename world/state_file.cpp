@@ -17,7 +17,7 @@ namespace prairie {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'P', 'R', 'S', '\r', '\n', 0x1a, '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kVersionAt = 8, kLengthAt = 12, kChecksumAt = 20, kHashAt = 28;
 static_assert(kHashAt + 8 == kStateHeaderBytes);
 
@@ -28,6 +28,8 @@ constexpr std::size_t kWearPageBytes = 8 + kNodesPerPage * 4;
 constexpr std::size_t kMotionBytes = 24 * 4;
 constexpr std::size_t kCellBytes = 4 * 4;
 constexpr std::size_t kBladeBytes = 4 + kMotionBytes + 2 * 12 * 4 + 3 * 4;
+constexpr std::size_t kFootBytes = 6 * 8 + 4;
+constexpr std::size_t kWalkerBytes = 5 * 8 + 3 * 8 + 2 * kFootBytes + 4 + 8 + 4 + 3 * 8;
 constexpr std::size_t kSettingsBytes = 3 * 8 + 6 * 4;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
@@ -35,8 +37,10 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return XXH3_64bits(rest.data(), rest.size());
 }
 
-std::uint64_t size_of(const MotionState& state) {
-  std::uint64_t size = kStateHeaderBytes + 8 + kSettingsBytes + 8 + 8 + 4 + 4 + 8;
+std::uint64_t size_of(const WorldState& world) {
+  const MotionState& state = world.motion;
+  std::uint64_t size = kStateHeaderBytes + 8 + kSettingsBytes + 8 + 8 + 4 + 4 + 8 + 8;
+  size += world.walkers.size() * kWalkerBytes;
   size += state.treading.nodes.pages().size() * kTreadPageBytes + state.treading.wear.pages().size() * kWearPageBytes;
   if (state.eye_m) size += 16;
   if (state.sway) size += 8 + state.sway->motions.size() * kMotionBytes;
@@ -60,6 +64,21 @@ class Writer {
   void put_motion(const ChainMotion& motion) {
     put_vectors(motion.turn);
     put_vectors(motion.rate);
+  }
+
+  void put_place(glm::dvec2 place) { put(place.x, place.y); }
+  void put_walker(const Walker& walker) {
+    put_place(walker.position_m);
+    put_place(walker.forward);
+    put(walker.speed_m_per_s, walker.footing.scale, walker.footing.phase, walker.footing.speed_m_per_s);
+    for (const Foot& foot : walker.footing.feet) {
+      put_place(foot.position_m);
+      put_place(foot.forward);
+      put_flag(foot.planted);
+      put(foot.share, foot.lift_phase);
+    }
+    const Memory& memory = walker.memory;
+    put(memory.turn, memory.turned_s, memory.goal, memory.goal_since_s, memory.met_m, memory.met_s);
   }
 
   std::vector<std::byte> take() { return std::move(bytes_); }
@@ -116,6 +135,33 @@ class Reader {
     motion.turn = vectors();
     motion.rate = vectors();
     return motion;
+  }
+
+  glm::dvec2 place() {
+    const auto x = number<double>(), y = number<double>();
+    return {x, y};
+  }
+  Walker walker() {
+    Walker walker;
+    walker.position_m = place();
+    walker.forward = place();
+    walker.speed_m_per_s = number<double>();
+    walker.footing.scale = number<double>();
+    walker.footing.phase = number<double>();
+    walker.footing.speed_m_per_s = number<double>();
+    for (Foot& foot : walker.footing.feet) {
+      foot.position_m = place();
+      foot.forward = place();
+      foot.planted = flag();
+      foot.share = number<double>();
+      foot.lift_phase = number<double>();
+    }
+    Memory& memory = walker.memory;
+    memory.turn = number<std::int32_t>();
+    memory.turned_s = number<double>();
+    memory.goal = number<std::int32_t>();
+    for (double* value : {&memory.goal_since_s, &memory.met_m, &memory.met_s}) *value = number<double>();
+    return walker;
   }
 
   void end() const {
@@ -210,8 +256,9 @@ std::vector<TouchedBlade> read_blades(Reader& reader) {
 
 }  // namespace
 
-std::vector<std::byte> state_bytes(const MotionState& state, const StateOwner& owner) {
-  const std::uint64_t size = size_of(state);
+std::vector<std::byte> state_bytes(const WorldState& world, const StateOwner& owner) {
+  const MotionState& state = world.motion;
+  const std::uint64_t size = size_of(world);
   if (size > kMostStateBytes)
     throw OverBudget("", "state", fmt::format("{} bytes", size), fmt::format("at most {}", kMostStateBytes));
   Writer writer(size);
@@ -233,12 +280,14 @@ std::vector<std::byte> state_bytes(const MotionState& state, const StateOwner& o
     for (const float value : wear) writer.put(value);
   }
   writer.put_flag(state.eye_m.has_value());
-  if (state.eye_m) writer.put(state.eye_m->x, state.eye_m->y);
+  if (state.eye_m) writer.put_place(*state.eye_m);
   writer.put_flag(state.sway.has_value());
   if (state.sway) {
     writer.put_count(state.sway->motions.size());
     for (const ChainMotion& motion : state.sway->motions) writer.put_motion(motion);
   }
+  writer.put_count(world.walkers.size());
+  for (const Walker& walker : world.walkers) writer.put_walker(walker);
   writer.put_count(state.touched.size());
   for (const auto& [id, blades] : state.touched) {
     writer.put(std::int32_t{id.tile.i}, std::int32_t{id.tile.j}, std::int32_t{id.cell},
@@ -257,14 +306,15 @@ std::vector<std::byte> state_bytes(const MotionState& state, const StateOwner& o
   return bytes;
 }
 
-MotionState parse_state(std::span<const std::byte> bytes, const StateOwner& owner, const std::string& file) {
+WorldState parse_state(std::span<const std::byte> bytes, const StateOwner& owner, const std::string& file) {
   Reader reader(checked_body(bytes, owner, file), file);
   reader.enter("time");
   const auto ticks = reader.number<std::int64_t>();
   check_settings(reader, owner.treading);
   const double spacing_m = owner.treading.spacing_m;
-  MotionState state{
-      ticks, {seconds_of(ticks), NodeField<TreadNode>(spacing_m), NodeField<float>(spacing_m)}, {}, {}, {}};
+  WorldState world{
+      {ticks, {seconds_of(ticks), NodeField<TreadNode>(spacing_m), NodeField<float>(spacing_m)}, {}, {}, {}}, {}};
+  MotionState& state = world.motion;
 
   reader.enter("trodden");
   read_pages(reader, kTreadPageBytes, state.treading.nodes, [&](TreadNode& node) {
@@ -276,10 +326,7 @@ MotionState parse_state(std::span<const std::byte> bytes, const StateOwner& owne
   read_pages(reader, kWearPageBytes, state.treading.wear, [&](float& wear) { wear = reader.number<float>(); });
 
   reader.enter("eye");
-  if (reader.flag()) {
-    const auto x = reader.number<double>(), y = reader.number<double>();
-    state.eye_m = {x, y};
-  }
+  if (reader.flag()) state.eye_m = reader.place();
   reader.enter("sway");
   if (reader.flag()) {
     if (!state.eye_m) reader.refuse("swaying blades without an eye", "an eye that watches them");
@@ -288,6 +335,9 @@ MotionState parse_state(std::span<const std::byte> bytes, const StateOwner& owne
     sway.motions.resize(reader.count<std::uint64_t>(kMotionBytes));
     for (ChainMotion& motion : sway.motions) motion = reader.motion();
   }
+  reader.enter("walkers");
+  world.walkers.resize(reader.count<std::uint64_t>(kWalkerBytes));
+  for (Walker& walker : world.walkers) walker = reader.walker();
   reader.enter("touched");
   const std::size_t cells = reader.count<std::uint64_t>(kCellBytes + kBladeBytes);
   state.touched.reserve(cells);
@@ -299,7 +349,7 @@ MotionState parse_state(std::span<const std::byte> bytes, const StateOwner& owne
     state.touched.emplace_back(id, read_blades(reader));
   }
   reader.end();
-  return state;
+  return world;
 }
 
 void seal_state(std::span<std::byte> bytes) {

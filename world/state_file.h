@@ -5,7 +5,7 @@
 //
 //   bytes  what
 //       8  89 50 52 53 0d 0a 1a 0a: "PRS" among bytes that a transfer as text would change
-//       4  version of this format, 1
+//       4  version of this format, 2
 //       8  length of the whole file
 //       8  XXH3 (64 bits) of all that follows
 //       8  the hash of what moves (motion_hash in world/scene_hash.h)
@@ -20,6 +20,9 @@
 //   worn         count (64 bits) of pages; each: j, i (int32), then 256 values (float)
 //   eye          0 or 1 (32 bits); for 1: x, y (double)
 //   sway         0 or 1 (32 bits); for 1: count (64 bits) of motions; each: turns and rates of its four segments (24 floats)
+//   walkers      count (64 bits); each: place x, y, forward x, y, speed (double); its footing: scale, phase, speed (double), of
+//                the left and the right foot place x, y, forward x, y (double), planted 0 or 1 (32 bits), share, lift_phase
+//                (double); its memory: turn (int32), turned_s (double), goal (int32), goal_since_s, met_m, met_s (double)
 //   touched      count (64 bits) of cells; each: tile i, j (int32), cell, count (32 bits) of blades; each: index (32 bits),
 //                motion (24 floats), rest, offset (12 floats each), rise (float), near_steps, fades (int32)
 //
@@ -32,6 +35,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/crowd.h"
 #include "world/motion.h"
 
 namespace prairie {
@@ -42,15 +46,21 @@ struct StateOwner {
   TreadSettings treading;
 };
 
+/// What a file holds.
+struct WorldState {
+  MotionState motion;
+  std::vector<Walker> walkers;
+};
+
 /// Of a file.
 inline constexpr std::uint64_t kMostStateBytes = std::uint64_t{1} << 30;
 
 /// Throws OverBudget for a state of more than kMostStateBytes.
-std::vector<std::byte> state_bytes(const MotionState& state, const StateOwner& owner);
+std::vector<std::byte> state_bytes(const WorldState& state, const StateOwner& owner);
 
 /// Throws BadInput, which names `file`, unless the bytes are a whole, undamaged state of this owner. That its numbers are
-/// in their ranges is for Motion::restore to tell; they are finite.
-MotionState parse_state(std::span<const std::byte> bytes, const StateOwner& owner, const std::string& file);
+/// in their ranges is for Motion and Crowd to tell; they are finite.
+WorldState parse_state(std::span<const std::byte> bytes, const StateOwner& owner, const std::string& file);
 
 /// Sets length and checksum of a file that has a header.
 void seal_state(std::span<std::byte> bytes);

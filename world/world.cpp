@@ -10,6 +10,7 @@
 #include "maps/error.h"
 #include "maps/input_file.h"
 #include "world/camera_placement.h"
+#include "world/effort.h"
 #include "world/scene_hash.h"
 #include "world/scene_wind.h"
 #include "world/state_file.h"
@@ -73,6 +74,19 @@ Meadow load_meadow(const Scene& scene, MapLoader& loader) {
   return meadow;
 }
 
+/// The ids of movers' treads lie before.
+constexpr std::uint32_t kFirstWalkerTread = 1u << 20;
+
+Crowd crowd_of(const Scene& scene, const Meadow& meadow, const Gait& gait) {
+  if (scene.walkers.empty()) return {};
+  try {
+    return Crowd(scene.walkers, footprints_of(scene.standing, meadow.ground), gait, scene.seed);
+  } catch (const BadInput& fault) {
+    // The crowd knows no files.
+    throw BadInput((scene.folder / kSceneFileName).string(), "walkers." + fault.field, fault.found, fault.expected);
+  }
+}
+
 }  // namespace
 
 World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)) {
@@ -90,6 +104,13 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   warnings_ = std::move(findings.warnings);
   for (const MoverSpec& spec : scene_.movers) movers_.emplace_back(spec.path);
   motion_.emplace(scene_, meadow_);
+  motion_hash_ = motion_hash_with(motion_hash_, options.gait, options.tracks);
+  const Gait gait = options.gait.value_or(recorded_gait());
+  if (options.tracks) {
+    replay_.emplace(*options.tracks, gait, scene_.seed, 0.0);
+  } else {
+    crowd_ = crowd_of(scene_, meadow_, gait);
+  }
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
 
@@ -104,12 +125,13 @@ void World::watch_anew(glm::dvec2 eye_m) {
   motion_->meet(meadow_, solids);
 }
 
-void World::step(double dt_s) {
-  assert(dt_s > 0.0);
-  const auto ticks = std::max(std::llround(dt_s * static_cast<double>(kTicksPerS)), 1ll);
+void World::step(double wanted_s) {
+  assert(wanted_s > 0.0);
+  const auto ticks = std::max(std::llround(wanted_s * static_cast<double>(kTicksPerS)), 1ll);
   const double from_s = time_s(), to_s = seconds_of(motion_->ticks() + ticks);
   std::vector<TreadStep> bodies;
   std::vector<Solid> solids;
+  std::vector<Footprint> footprints;
   std::uint32_t next_id = 0;
   const auto add = [&](MoverKind kind, double radius_m, const MoverPlace& from, const MoverPlace& to) {
     const std::vector<TreadStep> steps = tread_steps(kind, radius_m, from, to, next_id);
@@ -117,24 +139,50 @@ void World::step(double dt_s) {
     const std::vector<Solid> solid = solids_of(kind, radius_m, to);
     solids.insert(solids.end(), solid.begin(), solid.end());
     next_id += kTreadIdsPerMover;
+    footprints.push_back(footprint_of(kind, radius_m, to));
   };
   for (const Mover& mover : movers_) {
     add(mover.path().kind, mover.path().radius_m, mover.place(meadow_.ground, from_s),
         mover.place(meadow_.ground, to_s));
   }
   for (const DrivenMover& driven : driven_) add(driven.kind, driven.radius_m, driven.before, driven.place);
+  const double dt_s = seconds_of(ticks);
+  const auto effort = [this](glm::dvec2 place_m) { return effort_at(meadow_, place_m); };
+  const std::vector<TreadStep> feet = replay_ ? replay_->step(meadow_.ground, to_s, dt_s, kFirstWalkerTread)
+                                              : crowd_.step({meadow_.ground, footprints, effort}, from_s, dt_s, kFirstWalkerTread);
+  bodies.insert(bodies.end(), feet.begin(), feet.end());
   motion_->step(meadow_, ticks, bodies, solids);
   for (DrivenMover& driven : driven_) driven.before = driven.place;
 }
 
+std::vector<Percept> World::percepts() const {
+  std::vector<Footprint> footprints;
+  for (const Mover& mover : movers_) {
+    const MoverPath& path = mover.path();
+    footprints.push_back(footprint_of(path.kind, path.radius_m, mover.place(meadow_.ground, time_s())));
+  }
+  for (const DrivenMover& driven : driven_) footprints.push_back(footprint_of(driven.kind, driven.radius_m, driven.place));
+  return crowd_.percepts(footprints);
+}
+
 std::vector<std::byte> World::saved_state() const {
-  return state_bytes(motion_->state(), {motion_hash_, scene_.treading});
+  return state_bytes({motion_->state(), {walkers().begin(), walkers().end()}}, {motion_hash_, scene_.treading});
 }
 
 void World::load_state(std::span<const std::byte> bytes, const std::string& file) {
-  MotionState state = parse_state(bytes, {motion_hash_, scene_.treading}, file);
+  WorldState state = parse_state(bytes, {motion_hash_, scene_.treading}, file);
   try {
-    motion_->restore(meadow_, std::move(state));
+    // All that may be refused comes before anything changes.
+    Crowd crowd = crowd_;
+    std::optional<ReplayedWalkers> replay = replay_;
+    if (replay) {
+      replay->restore(state.walkers, seconds_of(state.motion.ticks));
+    } else {
+      crowd.restore(std::move(state.walkers));
+    }
+    motion_->restore(meadow_, std::move(state.motion));
+    crowd_ = std::move(crowd);
+    replay_ = std::move(replay);
   } catch (const BadInput& fault) {
     // What moves knows no files.
     throw BadInput(file, fault.field, fault.found, fault.expected);

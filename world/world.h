@@ -8,8 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "agents/crowd.h"
 #include "agents/driven_mover.h"
+#include "agents/gait.h"
 #include "agents/mover.h"
+#include "agents/obstacle.h"
+#include "agents/replayed_walkers.h"
+#include "agents/track.h"
 #include "generator/meadow.h"
 #include "maps/height_field.h"
 #include "world/map_loading.h"
@@ -21,6 +26,8 @@ namespace prairie {
 struct WorldOptions {
   std::optional<std::uint64_t> seed;               // overrides the scene's
   std::uint64_t memory_budget_bytes = 2ull << 30;  // for maps
+  std::optional<Gait> gait;                        // of walkers, instead of the one that comes along
+  std::optional<std::vector<Track>> tracks;        // of walkers, instead of the scene's
 };
 
 class World {
@@ -46,6 +53,20 @@ class World {
   /// Movers whose places are set from outside; each step takes them from where the last one left them to where they are.
   const std::vector<DrivenMover>& driven() const { return driven_; }
   std::vector<DrivenMover>& driven() { return driven_; }
+
+  /// What stands in the way of walkers.
+  const StandingThings& standing() const { return scene_.standing; }
+  /// The scene's walkers; nobody where tracks are replayed.
+  const Crowd& crowd() const { return crowd_; }
+  Crowd& crowd() { return crowd_; }
+  const std::optional<ReplayedWalkers>& replay() const { return replay_; }
+  /// All that walk, whichever they are; those that are not present are not to be seen now.
+  std::span<const Walker> walkers() const { return replay_ ? replay_->walkers() : crowd_.walkers(); }
+  std::span<const WalkerTraits> walker_traits() const { return replay_ ? replay_->traits() : crowd_.traits(); }
+  bool is_present(std::size_t walker) const { return !replay_ || replay_->is_present(walker); }
+  const Gait& gait() const { return replay_ ? replay_->gait() : crowd_.gait(); }
+  /// What each of the crowd perceives now.
+  std::vector<Percept> percepts() const;
 
   /// What time moves. `watch` tells it where the eye is; without one nothing is simulated that only an eye would see.
   const Motion& motion() const { return *motion_; }
@@ -74,6 +95,8 @@ class World {
   std::vector<std::string> warnings_;
   std::vector<Mover> movers_;
   std::vector<DrivenMover> driven_;
+  Crowd crowd_;
+  std::optional<ReplayedWalkers> replay_;
   std::optional<Motion> motion_;  // always there once constructed
 };
 

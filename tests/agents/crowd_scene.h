@@ -9,20 +9,8 @@
 
 namespace prairie {
 
-struct CrowdScene {
-  std::vector<Obstacle> obstacles;
-  std::vector<Wall> walls;
+struct CrowdScene : StandingThings {
   HeightField ground;
-
-  std::vector<Footprint> footprints() const {
-    std::vector<Footprint> all;
-    for (const Obstacle& obstacle : obstacles) all.push_back(footprint_of(obstacle, ground));
-    for (const Wall& wall : walls) {
-      const std::vector<Footprint> pieces = footprints_of(wall);
-      all.insert(all.end(), pieces.begin(), pieces.end());
-    }
-    return all;
-  }
 };
 
 /// Twenty obstacles; a dead end in the north-west, a room with a door in the south-east, a hole in the middle.
@@ -51,7 +39,7 @@ inline Crowd crowd_of(const CrowdScene& scene, std::uint32_t count, std::uint64_
   group.count = count;
   group.centre_m = {25.0, 25.0};
   group.radius_m = 24.0;
-  return Crowd({&group, 1}, scene.footprints(), recorded_gait(), seed);
+  return Crowd({&group, 1}, footprints_of(scene, scene.ground), recorded_gait(), seed);
 }
 
 }  // namespace prairie

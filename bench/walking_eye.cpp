@@ -1,14 +1,14 @@
-#include "bench/scale_walker.h"
+#include "bench/walking_eye.h"
 
 #include <chrono>
 #include <cstddef>
 
 namespace prairie {
 
-Walker::Walker(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options)
+WalkingEye::WalkingEye(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options)
     : world_(scale_world(ground, variant)), renderer_(world_, options.shader_folder) {}
 
-void Walker::step(int frame, const OffscreenTarget& target) {
+void WalkingEye::step(int frame, const OffscreenTarget& target) {
   const Camera seen = camera(frame);
   const auto start = std::chrono::steady_clock::now();
   if (world_.scene().wind) {
@@ -23,7 +23,7 @@ void Walker::step(int frame, const OffscreenTarget& target) {
   plan_ms_.push_back(statistics_.plan_ms);
 }
 
-void Walker::begin_again() {
+void WalkingEye::begin_again() {
   frame_ms_.clear();
   plan_ms_.clear();
 }

@@ -10,10 +10,10 @@
 
 namespace prairie {
 
-class Walker {
+class WalkingEye {
  public:
   /// Needs a current context. Throws what World and Renderer throw.
-  Walker(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options);
+  WalkingEye(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options);
 
   Camera camera(int frame) const { return walk_camera(world_, frame); }
   const World& world() const { return world_; }
