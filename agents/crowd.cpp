@@ -149,7 +149,7 @@ class Crowd::Neighbours {
   std::vector<Entry> entries_;
 };
 
-Crowd::Crowd() : obstacles_({}, 1.0) {}
+Crowd::Crowd(const Gait& gait) : obstacles_({}, 1.0), gait_(gait) {}
 
 Crowd::Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacles, Gait gait, std::uint64_t seed)
     : obstacles_(std::move(obstacles), reach_of(groups)),

@@ -62,7 +62,7 @@ struct CrowdSurroundings {
 class Crowd {
  public:
   /// Nobody.
-  Crowd();
+  explicit Crowd(const Gait& gait);
   /// Strews the walkers over free ground. Throws BadInput, the group and field in it, on groups out of range, places inside
   /// of obstacles or of one another, or where there is no room.
   Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacles, Gait gait, std::uint64_t seed);

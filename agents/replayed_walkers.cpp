@@ -63,6 +63,12 @@ std::vector<TreadStep> ReplayedWalkers::step(const HeightField& ground, double t
   return treads;
 }
 
+double ReplayedWalkers::last_s() const {
+  double last_s = 0.0;
+  for (const TrackPlayback& track : tracks_) last_s = std::max(last_s, track.last_s());
+  return last_s;
+}
+
 void ReplayedWalkers::restore(std::span<const Walker> walkers, double time_s) {
   if (walkers.size() != walkers_.size())
     throw BadInput("", "walkers", fmt::format("{} walkers", walkers.size()), fmt::format("{}, as there are tracks", walkers_.size()));

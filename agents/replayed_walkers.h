@@ -24,6 +24,8 @@ class ReplayedWalkers {
   std::span<const WalkerTraits> traits() const { return traits_; }
   bool is_present(std::size_t walker) const { return present_[walker]; }
   const Gait& gait() const { return gait_; }
+  /// When the last of them leaves.
+  double last_s() const;
 
   /// Moves everybody on to `to_s`, dt_s later. Returns what the feet do to the grass, ids from `first_id` on.
   std::vector<TreadStep> step(const HeightField& ground, double to_s, double dt_s, std::uint32_t first_id);

@@ -104,7 +104,8 @@ CommandLine::CommandLine()
       "'prairie COMMAND --help' tells more.");
   add_global_options(*app_, globals, list_devices_);
   for (const auto add_command : {add_new_command, add_info_command, add_render_command, add_record_command,
-                                 add_export_command, add_plant_command, add_view_command, add_bench_command}) {
+                                 add_export_command, add_plant_command, add_view_command, add_walk_command,
+                                 add_bench_command}) {
     add_command(*app_, globals, chosen);
   }
   for (CLI::App* command : app_->get_subcommands({})) {

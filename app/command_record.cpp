@@ -2,27 +2,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include "app/camera_option.h"
 #include "app/camera_path.h"
+#include "app/clip.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/installed_files.h"
 #include "app/messages.h"
 #include "app/open_world.h"
 #include "app/option_values.h"
-#include "app/outputs.h"
 #include "app/picture_file.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/usage_error.h"
 #include "app/state_options.h"
-#include "app/video_file.h"
 #include "app/world_time.h"
 #include "render/context.h"
 #include "render/renderer.h"
@@ -49,27 +46,6 @@ struct RecordOptions {
   int samples = 1;
 };
 
-bool has_suffix(const std::filesystem::path& path, std::string_view suffix) {
-  std::string own = path.extension().string();
-  std::ranges::transform(own, own.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  return own == suffix;
-}
-
-/// Whether the output is a video; if not, it is a folder.
-bool is_video(const RecordOptions& options) {
-  if (std::filesystem::is_directory(options.output)) return false;
-  if (has_suffix(options.output, ".mp4")) {
-    if (options.size_px.x % 2 == 0 && options.size_px.y % 2 == 0) return true;
-    throw UsageError("--size", fmt::format("{}x{}", options.size_px.x, options.size_px.y),
-                     "an even width and an even height, which H.264 video needs, or a folder as the output");
-  }
-  for (const char* other : {".mov", ".mkv", ".avi", ".webm", ".m4v", ".gif", ".png", ".jpg", ".exr"}) {
-    if (has_suffix(options.output, other))
-      throw UsageError("--output", options.output.string(), "a file name that ends in .mp4, or a folder");
-  }
-  return false;
-}
-
 int frames_of(const RecordOptions& options, const std::optional<CameraPath>& path) {
   const double duration_s =
       options.duration_s.value_or(path ? path->times_s.back() : kDefaultDurationS);
@@ -78,50 +54,12 @@ int frames_of(const RecordOptions& options, const std::optional<CameraPath>& pat
   throw UsageError("--duration", fmt::format("{} frames", frames), fmt::format("at most {}", kMostFrames));
 }
 
-std::filesystem::path frame_file(const std::filesystem::path& folder, int frame) {
-  return folder / fmt::format("frame-{:05}.png", frame);
-}
-
-/// Where frames go as they are drawn.
-class Clip {
- public:
-  /// Starts what makes a video of them, so that it is missed before a large scene is read.
-  Clip(const RecordOptions& options, const GlobalOptions& globals) : path_(options.output) {
-    if (is_video(options))
-      video_.emplace(path_, VideoFormat{options.size_px, options.frames_per_s, globals.threads});
-  }
-
-  void begin() {
-    if (!video_) make_output_folder(path_);
-  }
-
-  void add(const Picture& picture) {
-    if (video_) {
-      video_->write(picture.srgb);
-    } else {
-      write_output(frame_file(path_, frames_), encoded_picture(picture, PictureFormat::kPng));
-    }
-    ++frames_;
-  }
-
-  void finish() {
-    if (video_) video_->finish();
-    if (!video_ && std::filesystem::exists(frame_file(path_, frames_)))
-      say_warning(fmt::format("{}: frames of an earlier, longer clip follow those of this one", path_.string()));
-  }
-
- private:
-  std::filesystem::path path_;
-  std::optional<VideoFile> video_;
-  int frames_ = 0;
-};
-
 int record(const RecordOptions& options, const GlobalOptions& globals) {
   check_picture_budget(options.size_px, globals.max_memory_bytes);
   std::optional<CameraPath> path;
   if (!options.path.empty()) path = read_camera_path(options.path);
   const int frames = frames_of(options, path);
-  Clip clip(options, globals);
+  Clip clip({options.output, options.size_px, options.frames_per_s}, globals.threads);
   World world = open_world(options.folder, globals);
   const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera, world);
   const auto camera_in_frame = [&](int frame) {

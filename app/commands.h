@@ -19,6 +19,7 @@ void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& ch
 void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_plant_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
+void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 void add_bench_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
 
 }  // namespace prairie

@@ -1,11 +1,14 @@
 #include "app/open_world.h"
 
+#include <utility>
+
 #include "app/messages.h"
 
 namespace prairie {
 
-World open_world(const std::filesystem::path& folder, const GlobalOptions& globals) {
+World open_world(const std::filesystem::path& folder, const GlobalOptions& globals, std::optional<Gait> gait) {
   WorldOptions options;
+  options.gait = std::move(gait);
   options.seed = globals.seed;
   options.memory_budget_bytes = globals.max_memory_bytes;
   World world(read_scene(folder, globals.overrides), options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "app/global_options.h"
 #include "world/world.h"
@@ -9,6 +10,7 @@
 namespace prairie {
 
 /// Warnings about the maps go to stderr. Throws BadInput, OverBudget.
-World open_world(const std::filesystem::path& folder, const GlobalOptions& globals);
+/// `gait`: of its walkers, instead of the one that comes along.
+World open_world(const std::filesystem::path& folder, const GlobalOptions& globals, std::optional<Gait> gait = {});
 
 }  // namespace prairie

@@ -240,24 +240,24 @@ std::uint64_t motion_hash(const Scene& scene, const std::map<std::string, std::u
   return scene_hash(unseen, content_hashes);
 }
 
-std::uint64_t motion_hash_with(std::uint64_t motion_hash, const std::optional<Gait>& gait,
-                               const std::optional<std::vector<Track>>& tracks) {
-  if (!gait && !tracks) return motion_hash;
+std::uint64_t motion_hash_with(std::uint64_t motion_hash, const Gait& gait) {
   CanonicalText text;
   text.add("scene", motion_hash);
-  if (gait) {
-    for (const double value : {gait->speed_m_per_s, gait->period_s, gait->stance, gait->lead, gait->half_width})
-      text.add("gait", value);
-    for (const auto& curve : gait->keys) {
-      for (const double key : curve) text.add("key", key);
-    }
+  for (const double value : {gait.speed_m_per_s, gait.period_s, gait.stance, gait.lead, gait.half_width})
+    text.add("gait", value);
+  for (const auto& curve : gait.keys) {
+    for (const double key : curve) text.add("key", key);
   }
-  if (tracks) {
-    for (const Track& track : *tracks) {
-      text.add("track", static_cast<std::uint64_t>(track.id));
-      text.add("times", std::uint64_t{XXH3_64bits(track.times_s.data(), track.times_s.size() * sizeof(double))});
-      text.add("places", std::uint64_t{XXH3_64bits(track.positions_m.data(), track.positions_m.size() * sizeof(glm::dvec2))});
-    }
+  return text.hash();
+}
+
+std::uint64_t motion_hash_with(std::uint64_t motion_hash, const std::vector<Track>& tracks) {
+  CanonicalText text;
+  text.add("scene", motion_hash);
+  for (const Track& track : tracks) {
+    text.add("track", static_cast<std::uint64_t>(track.id));
+    text.add("times", std::uint64_t{XXH3_64bits(track.times_s.data(), track.times_s.size() * sizeof(double))});
+    text.add("places", std::uint64_t{XXH3_64bits(track.positions_m.data(), track.positions_m.size() * sizeof(glm::dvec2))});
   }
   return text.hash();
 }

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,9 @@ std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::ui
 /// The same of what grows and moves alone: equal for other cameras, another light, another quality.
 std::uint64_t motion_hash(const Scene& scene, const std::map<std::string, std::uint64_t>& content_hashes);
 
-/// The same where walkers move by another gait, or along recorded tracks.
-std::uint64_t motion_hash_with(std::uint64_t motion_hash, const std::optional<Gait>& gait,
-                               const std::optional<std::vector<Track>>& tracks);
+/// The same where walkers move by another gait.
+std::uint64_t motion_hash_with(std::uint64_t motion_hash, const Gait& gait);
+/// The same where walkers move along recorded tracks.
+std::uint64_t motion_hash_with(std::uint64_t motion_hash, const std::vector<Track>& tracks);
 
 }  // namespace prairie

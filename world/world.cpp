@@ -78,7 +78,7 @@ Meadow load_meadow(const Scene& scene, MapLoader& loader) {
 constexpr std::uint32_t kFirstWalkerTread = 1u << 20;
 
 Crowd crowd_of(const Scene& scene, const Meadow& meadow, const Gait& gait) {
-  if (scene.walkers.empty()) return {};
+  if (scene.walkers.empty()) return Crowd(gait);
   try {
     return Crowd(scene.walkers, footprints_of(scene.standing, meadow.ground), gait, scene.seed);
   } catch (const BadInput& fault) {
@@ -104,13 +104,8 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   warnings_ = std::move(findings.warnings);
   for (const MoverSpec& spec : scene_.movers) movers_.emplace_back(spec.path);
   motion_.emplace(scene_, meadow_);
-  motion_hash_ = motion_hash_with(motion_hash_, options.gait, options.tracks);
-  const Gait gait = options.gait.value_or(recorded_gait());
-  if (options.tracks) {
-    replay_.emplace(*options.tracks, gait, scene_.seed, 0.0);
-  } else {
-    crowd_ = crowd_of(scene_, meadow_, gait);
-  }
+  if (options.gait) motion_hash_ = motion_hash_with(motion_hash_, *options.gait);
+  crowd_ = crowd_of(scene_, meadow_, options.gait.value_or(recorded_gait()));
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
 
@@ -153,6 +148,13 @@ void World::step(double wanted_s) {
   bodies.insert(bodies.end(), feet.begin(), feet.end());
   motion_->step(meadow_, ticks, bodies, solids);
   for (DrivenMover& driven : driven_) driven.before = driven.place;
+}
+
+void World::replay(std::vector<Track> tracks) {
+  assert(motion_->ticks() == 0 && !replay_);
+  motion_hash_ = motion_hash_with(motion_hash_, tracks);
+  replay_.emplace(std::move(tracks), crowd_.gait(), scene_.seed, 0.0);
+  crowd_ = Crowd(crowd_.gait());
 }
 
 std::vector<Percept> World::percepts() const {

@@ -27,7 +27,6 @@ struct WorldOptions {
   std::optional<std::uint64_t> seed;               // overrides the scene's
   std::uint64_t memory_budget_bytes = 2ull << 30;  // for maps
   std::optional<Gait> gait;                        // of walkers, instead of the one that comes along
-  std::optional<std::vector<Track>> tracks;        // of walkers, instead of the scene's
 };
 
 class World {
@@ -59,12 +58,15 @@ class World {
   /// The scene's walkers; nobody where tracks are replayed.
   const Crowd& crowd() const { return crowd_; }
   Crowd& crowd() { return crowd_; }
-  const std::optional<ReplayedWalkers>& replay() const { return replay_; }
+  const std::optional<ReplayedWalkers>& replayed() const { return replay_; }
   /// All that walk, whichever they are; those that are not present are not to be seen now.
   std::span<const Walker> walkers() const { return replay_ ? replay_->walkers() : crowd_.walkers(); }
   std::span<const WalkerTraits> walker_traits() const { return replay_ ? replay_->traits() : crowd_.traits(); }
   bool is_present(std::size_t walker) const { return !replay_ || replay_->is_present(walker); }
   const Gait& gait() const { return replay_ ? replay_->gait() : crowd_.gait(); }
+  /// Walkers move along these from the scene's beginning on, instead of the scene's own. To be called before any step. Throws
+  /// BadInput on more than kMostWalkers tracks.
+  void replay(std::vector<Track> tracks);
   /// What each of the crowd perceives now.
   std::vector<Percept> percepts() const;
 
@@ -95,7 +97,7 @@ class World {
   std::vector<std::string> warnings_;
   std::vector<Mover> movers_;
   std::vector<DrivenMover> driven_;
-  Crowd crowd_;
+  Crowd crowd_{recorded_gait()};
   std::optional<ReplayedWalkers> replay_;
   std::optional<Motion> motion_;  // always there once constructed
 };
