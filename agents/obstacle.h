@@ -50,6 +50,11 @@ struct Wall {
   double height_m = 0.0;  // as drawn, 0…100; 0: not at all
 };
 
+struct StandingThings {
+  std::vector<Obstacle> obstacles;
+  std::vector<Wall> walls;
+};
+
 /// Throws BadInput, the field in it, on a number that is not finite or out of range, or an outline that convex_pieces() refuses.
 void check(const Obstacle& obstacle);
 void check(const Wall& wall);

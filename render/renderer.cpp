@@ -17,6 +17,7 @@
 #include "render/mover_look.h"
 #include "render/moving_fields.h"
 #include "render/noise_texture.h"
+#include "render/obstacle_pass.h"
 #include "render/render_target.h"
 #include "render/shader_program.h"
 #include "render/sky_pass.h"
@@ -71,6 +72,7 @@ struct Renderer::Passes {
         blades(the_world, shader_folder),
         strips(shader_folder),
         solids(shader_folder),
+        obstacles(shader_folder),
         walkers(shader_folder),
         sky(shader_folder),
         field_overlay(shader_folder),
@@ -124,6 +126,7 @@ struct Renderer::Passes {
     strips.prepare(stream, plan, sward.species(), strip_traits, motion);
     timers.strips.end();
     solids.prepare(stream, drawn_movers(*world), plan.camera);
+    obstacles.prepare(plan.camera);
     walkers.prepare(stream, options.walkers, plan.camera, frame.strip_height_m);
     field_overlay.prepare(stream, *world, plan.camera.eye_m, options.field_overlay);
     statistics.spline.triangles = blades.spline_triangles();
@@ -160,6 +163,7 @@ struct Renderer::Passes {
     strips.draw(strip_texture.get());
     timers.strips.end();
     timers.solids.begin();
+    obstacles.draw();
     solids.draw();
     walkers.draw();
     timers.solids.end();
@@ -175,8 +179,8 @@ struct Renderer::Passes {
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
-                           statistics.strip.triangles + statistics.flat.triangles + solids.triangles_drawn() +
-                           walkers.triangles_drawn();
+                           statistics.strip.triangles + statistics.flat.triangles + obstacles.triangles_drawn() +
+                           solids.triangles_drawn() + walkers.triangles_drawn();
   }
 
   void tone_map(GLuint linear_texture, GLuint framebuffer, glm::ivec2 size_px) {
@@ -198,6 +202,7 @@ struct Renderer::Passes {
   BladePass blades;
   StripPass strips;
   SolidPass solids;
+  ObstaclePass obstacles;
   WalkerPass walkers;
   std::optional<GroundPass> ground;
   GlTexture strip_texture;
@@ -218,6 +223,10 @@ Renderer::Renderer(const World& world, const std::filesystem::path& shader_folde
     : passes_(std::make_unique<Passes>(world, shader_folder)) {}
 
 Renderer::~Renderer() = default;
+
+void Renderer::stand(const StandingThings& things) {
+  passes_->obstacles.set(things, passes_->world->meadow().ground);
+}
 
 FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options, unsigned target) {
   FrameStatistics statistics;
