@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "render/obstacle_texture.h"
@@ -134,13 +135,31 @@ std::vector<double> steps_along(double half_m) {
   return steps;
 }
 
+/// The lowest ground along a block's sides.
+double lowest_around_m(const PlacedBlock& place, const HeightField& ground) {
+  constexpr double kStepM = 0.5, kMostSteps = 256.0;
+  const double half_x_m = place.half_size_m.x, half_y_m = place.half_size_m.y;
+  const double steps = std::clamp(std::ceil(2.0 * std::max(half_x_m, half_y_m) / kStepM), 1.0, kMostSteps);
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (double n = 0.0; n <= steps; ++n) {
+    const double share = 2.0 * n / steps - 1.0;
+    for (const glm::dvec2 at_m : {glm::dvec2(share * half_x_m, -half_y_m), glm::dvec2(share * half_x_m, half_y_m),
+                                  glm::dvec2(-half_x_m, share * half_y_m), glm::dvec2(half_x_m, share * half_y_m)}) {
+      const glm::dvec3 place_m = place.centre_m + place.axes * glm::dvec3(at_m, 0.0);
+      lowest_m = std::min(lowest_m, static_cast<double>(ground.height_m(glm::dvec2(place_m))));
+    }
+  }
+  return lowest_m;
+}
+
 // Its edges are sharp, as walkers see them, and shaded as if they were round.
 void add_block(const Block& block, const HeightField& ground, ObstacleMesh& mesh) {
   const Chance chance(block.position_m, 2);
   const PlacedBlock place = placed(block, ground);
   glm::dvec3 half_m = place.half_size_m, centre_m = place.centre_m;
-  half_m.z += 0.5 * kIntoGroundM;
-  centre_m.z -= 0.5 * kIntoGroundM;
+  const double deeper_m = std::max(centre_m.z - half_m.z - lowest_around_m(place, ground), 0.0) + kIntoGroundM;
+  half_m.z += 0.5 * deeper_m;
+  centre_m.z -= 0.5 * deeper_m;
   const float tone = 0.75f + 0.45f * chance(1);
   const glm::vec3 tint = tone * glm::mix(glm::vec3(1.12f, 1.0f, 0.86f), glm::vec3(0.96f, 1.0f, 1.0f), chance(2));
   for (int face = 0; face < 6; ++face) {

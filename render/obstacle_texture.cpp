@@ -11,6 +11,7 @@ namespace prairie {
 namespace {
 
 constexpr int kSide = 512;  // 2 or 3 mm a texel
+constexpr int kReliefPlaces = 7;  // that a texel is found from
 constexpr std::array<const char*, kObstacleMaterials> kDefines{"BARK", "END_GRAIN", "GRANITE", "BOARDS", "DRY_STONE"};
 
 GlTexture make_layers() {
@@ -51,6 +52,7 @@ ObstacleTexture paint_obstacle_texture(const std::filesystem::path& shader_folde
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.get());
     glUseProgram(program.get());
     glProgramUniform1f(program.get(), 0, static_cast<float>(kSide));
+    glProgramUniform1i(program.get(), 1, kReliefPlaces);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   glGenerateTextureMipmap(texture.albedo.get());

@@ -200,10 +200,10 @@ void add_extruded(const WallPolygon& polygon, double height_m, const HeightField
     vertex.place_m = {p, ground_m(p) + height_m};
     vertex.facing = ground.normal(p);
     vertex.along = glm::normalize(glm::vec3(1.0f, 0.0f, -vertex.facing.x / vertex.facing.z));
-    vertex.on_map = glm::vec2(glm::fract((p - top.points_m[0]) / 1024.0) * 1024.0 / glm::dvec2(kDryStoneM, kDryStoneHighM));
-    vertex.tint = tint_of(n);
+    vertex.on_map = glm::vec2((p - top.points_m[0]) / kGraniteM);
+    vertex.tint = 0.85f * tint_of(n);
     vertex.above_ground_m = static_cast<float>(height_m);
-    vertex.material = ObstacleMaterial::kDryStone;
+    vertex.material = ObstacleMaterial::kGranite;  // large flat stones that hold it together
     mesh.vertices.push_back(vertex);
   }
   for (const std::array<std::uint32_t, 3>& triangle : top.triangles)

@@ -8,22 +8,24 @@ float ramp(float low, float high, float x) { return clamp((x - low) / (high - lo
 const vec2 kMapM = vec2(1.2, 1.2);
 // Long plates, parted by furrows that run up and join.
 float relief_m(vec2 at) {
-  vec2 bent = vec2(tiling_noise(at * vec2(8.0, 7.0), ivec2(8, 7), 1u), tiling_noise(at * vec2(24.0, 10.0), ivec2(24, 10), 2u)) - 0.5;
-  vec2 p = at * vec2(20.0, 5.0) + vec2(1.3 * bent.x + 0.55 * bent.y, 0.7 * bent.y);
-  float plate = smoothstep(0.02, 0.42, tiling_cells(p, ivec2(20, 5), 3u).x);
-  float scales = tiling_noise(at * vec2(60.0, 36.0), ivec2(60, 36), 4u);
-  float fine = tiling_noise(at * vec2(180.0, 70.0), ivec2(180, 70), 5u);
-  return 0.013 * plate * (0.72 + 0.28 * scales) + 0.0035 * scales + 0.0016 * fine;
+  vec2 bent = vec2(tiling_noise(at * vec2(7.0, 6.0), ivec2(7, 6), 1u), tiling_noise(at * vec2(30.0, 14.0), ivec2(30, 14), 2u)) - 0.5;
+  vec2 p = at * vec2(26.0, 4.0) + vec2(1.1 * bent.x + 0.45 * bent.y, 0.8 * bent.x);
+  float plate = smoothstep(0.0, 0.36, tiling_cells(p, ivec2(26, 4), 3u).x);
+  vec2 q = at * vec2(34.0, 22.0) + vec2(1.2 * bent.y, 1.5 * bent.x + 0.9 * bent.y);
+  float scales = smoothstep(0.0, 0.30, tiling_cells(q, ivec2(34, 22), 4u).x);
+  float rough = tiling_noise(at * vec2(90.0, 48.0), ivec2(90, 48), 5u);
+  float fine = tiling_noise(at * vec2(230.0, 110.0), ivec2(230, 110), 6u);
+  return 0.012 * plate * (0.60 + 0.20 * scales + 0.20 * rough) + 0.002 * scales + 0.0026 * rough + 0.0012 * fine;
 }
 vec3 albedo_at(vec2 at, float height_m) {
-  float out_of_furrow = ramp(0.002, 0.0155, height_m);
-  float patchy = tiling_noise(at * vec2(5.0, 3.0), ivec2(5, 3), 6u);
-  float fine = tiling_noise(at * vec2(120.0, 60.0), ivec2(120, 60), 7u);
-  vec3 albedo = mix(vec3(0.030, 0.021, 0.014), vec3(0.135, 0.108, 0.083), out_of_furrow);
-  albedo *= (0.74 + 0.34 * patchy) * (0.84 + 0.32 * fine);
-  float lichen = smoothstep(0.58, 0.74, 0.55 * tiling_noise(at * vec2(9.0, 8.0), ivec2(9, 8), 8u) +
-                                            0.45 * tiling_noise(at * vec2(64.0, 60.0), ivec2(64, 60), 9u)) * out_of_furrow;
-  return mix(albedo, vec3(0.17, 0.18, 0.14), 0.6 * lichen);
+  float out_of_furrow = ramp(0.0015, 0.0165, height_m);
+  float patchy = tiling_noise(at * vec2(6.0, 3.0), ivec2(6, 3), 7u);
+  float fine = tiling_noise(at * vec2(140.0, 80.0), ivec2(140, 80), 8u);
+  vec3 albedo = mix(vec3(0.034, 0.026, 0.019), vec3(0.122, 0.102, 0.084), out_of_furrow);
+  albedo *= (0.72 + 0.40 * patchy) * (0.82 + 0.36 * fine);
+  float lichen = smoothstep(0.60, 0.76, 0.55 * tiling_noise(at * vec2(9.0, 8.0), ivec2(9, 8), 9u) +
+                                            0.45 * tiling_noise(at * vec2(64.0, 60.0), ivec2(64, 60), 10u)) * out_of_furrow;
+  return mix(albedo, vec3(0.17, 0.18, 0.15), 0.55 * lichen);
 }
 #endif
 
@@ -49,7 +51,7 @@ vec3 albedo_at(vec2 at, float height_m) {
   vec2 ray = polar(at);
   float rings = 0.5 + 0.5 * sin(ray.x * 150.0);
   float patchy = tiling_noise(at * 6.0, ivec2(6), 5u);
-  vec3 albedo = mix(vec3(0.20, 0.165, 0.125), vec3(0.25, 0.235, 0.21), patchy) * (0.78 + 0.22 * rings);
+  vec3 albedo = mix(vec3(0.135, 0.105, 0.074), vec3(0.175, 0.158, 0.134), patchy) * (0.78 + 0.22 * rings);
   albedo *= 0.85 + 0.3 * tiling_noise(at * 120.0, ivec2(120), 6u);
   return albedo * (1.0 - 0.8 * crack(at, ray));
 }
@@ -69,7 +71,7 @@ float relief_m(vec2 at) {
 vec3 albedo_at(vec2 at, float height_m) {
   float broad = tiling_noise(at * 4.0, ivec2(4), 7u);
   float patchy = tiling_noise(at * 13.0, ivec2(13), 8u);
-  vec3 albedo = vec3(0.205, 0.196, 0.182) * (0.70 + 0.36 * broad + 0.24 * patchy);
+  vec3 albedo = vec3(0.185, 0.177, 0.164) * (0.70 + 0.36 * broad + 0.24 * patchy);
   albedo *= mix(vec3(1.0), vec3(1.08, 0.94, 0.80), smoothstep(0.5, 0.8, 0.6 * tiling_noise(at * 5.0, ivec2(5), 9u) + 0.4 * patchy));
   // Mica, feldspar and quartz.
   float mica = 0.5 * tiling_noise(at * 120.0, ivec2(120), 10u) + 0.5 * tiling_noise(at * 220.0, ivec2(220), 11u);
@@ -83,8 +85,8 @@ vec3 albedo_at(vec2 at, float height_m) {
   albedo = mix(albedo, vec3(0.27, 0.29, 0.20) * (0.75 + 0.5 * ragged), 0.70 * crust);
   float old_crust = smoothstep(0.58, 0.66, 0.60 * tiling_noise(at * 8.0, ivec2(8), 17u) + 0.35 * ragged);
   albedo = mix(albedo, vec3(0.060, 0.058, 0.052), 0.50 * old_crust);
-  float yellow = smoothstep(0.70, 0.76, 0.75 * tiling_noise(at * 16.0, ivec2(16), 18u) + 0.25 * ragged);
-  return mix(albedo, vec3(0.30, 0.22, 0.06), 0.6 * yellow);
+  float yellow = smoothstep(0.72, 0.80, 0.62 * tiling_noise(at * 17.0, ivec2(17), 18u) + 0.42 * ragged);
+  return mix(albedo, vec3(0.27, 0.21, 0.08), 0.45 * yellow);
 }
 #endif
 
@@ -140,58 +142,70 @@ const int kStones = 6;
 
 // How far into its stone a place lies (metres), and a number of the stone.
 vec2 stone_at(vec2 at) {
-  at += 0.010 * (vec2(tiling_noise(at * vec2(16.0, 12.0), ivec2(16, 12), 1u), tiling_noise(at * vec2(16.0, 12.0), ivec2(16, 12), 2u)) - 0.5);
-  at.y += 0.020 * (tiling_noise(at * vec2(5.0, 1.0), ivec2(5, 1), 3u) - 0.5);
+  vec2 bent = 0.018 * (vec2(tiling_noise(at * vec2(14.0, 11.0), ivec2(14, 11), 1u), tiling_noise(at * vec2(14.0, 11.0), ivec2(14, 11), 2u)) - 0.5);
+  bent += 0.009 * (vec2(tiling_noise(at * vec2(44.0, 33.0), ivec2(44, 33), 15u), tiling_noise(at * vec2(44.0, 33.0), ivec2(44, 33), 16u)) - 0.5);
+  at += bent + vec2(0.0, 0.030 * (tiling_noise(at * vec2(5.0, 1.0), ivec2(5, 1), 3u) - 0.5));
   // Courses of unlike height, each joint shifted by itself.
   float place = at.y * float(kCourses);
   int course = int(floor(place));
-  float low = float(course) + 0.45 * (tiling_values(ivec2(course, 0), ivec2(kCourses, 2), 4u).x - 0.5);
-  float high = float(course + 1) + 0.45 * (tiling_values(ivec2(course + 1, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+  float low = float(course) + 0.6 * (tiling_values(ivec2(course, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+  float high = float(course + 1) + 0.6 * (tiling_values(ivec2(course + 1, 0), ivec2(kCourses, 2), 4u).x - 0.5);
   if (place < low) {
     course -= 1;
     high = low;
-    low = float(course) + 0.45 * (tiling_values(ivec2(course, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+    low = float(course) + 0.6 * (tiling_values(ivec2(course, 0), ivec2(kCourses, 2), 4u).x - 0.5);
   } else if (place >= high) {
     course += 1;
     low = high;
-    high = float(course + 1) + 0.45 * (tiling_values(ivec2(course + 1, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+    high = float(course + 1) + 0.6 * (tiling_values(ivec2(course + 1, 0), ivec2(kCourses, 2), 4u).x - 0.5);
   }
   float along = at.x * float(kStones) + tiling_values(ivec2(course, 1), ivec2(kCourses, 2), 5u).x * 3.0;
   int stone = int(floor(along));
   ivec2 lattice = ivec2(kStones, kCourses);
-  float left = float(stone) + 0.6 * (tiling_values(ivec2(stone, course), lattice, 6u).x - 0.5);
-  float right = float(stone + 1) + 0.6 * (tiling_values(ivec2(stone + 1, course), lattice, 6u).x - 0.5);
+  float left = float(stone) + 0.7 * (tiling_values(ivec2(stone, course), lattice, 6u).x - 0.5);
+  float right = float(stone + 1) + 0.7 * (tiling_values(ivec2(stone + 1, course), lattice, 6u).x - 0.5);
   if (along < left) {
     stone -= 1;
     right = left;
-    left = float(stone) + 0.6 * (tiling_values(ivec2(stone, course), lattice, 6u).x - 0.5);
+    left = float(stone) + 0.7 * (tiling_values(ivec2(stone, course), lattice, 6u).x - 0.5);
   } else if (along >= right) {
     stone += 1;
     left = right;
-    right = float(stone + 1) + 0.6 * (tiling_values(ivec2(stone + 1, course), lattice, 6u).x - 0.5);
+    right = float(stone + 1) + 0.7 * (tiling_values(ivec2(stone + 1, course), lattice, 6u).x - 0.5);
+  }
+  // Some are two flat ones.
+  vec3 own = tiling_values(ivec2(stone, course), lattice, 7u);
+  if (own.y > 0.62) {
+    float middle = mix(low, high, 0.32 + 0.36 * own.z);
+    own.x = place < middle ? own.x : fract(own.x + 0.43);
+    if (place < middle) {
+      high = middle;
+    } else {
+      low = middle;
+    }
   }
   vec2 inside = vec2(min(along - left, right - along) * kMapM.x / float(kStones), min(place - low, high - place) * kMapM.y / float(kCourses));
   // Corners are round.
-  const float kRoundM = 0.030;
+  const float kRoundM = 0.036;
   vec2 from_round = max(kRoundM - inside, 0.0);
   float depth_m = kRoundM - length(from_round);
-  return vec2(depth_m, tiling_values(ivec2(stone, course), lattice, 7u).x);
+  return vec2(depth_m, own.x);
 }
 float relief_m(vec2 at) {
   vec2 stone = stone_at(at);
-  float rough = 0.006 * tiling_noise(at * vec2(40.0, 30.0), ivec2(40, 30), 8u) +
+  float rough = 0.009 * tiling_noise(at * vec2(40.0, 30.0), ivec2(40, 30), 8u) +
                 0.0025 * tiling_noise(at * vec2(120.0, 90.0), ivec2(120, 90), 9u);
-  return 0.024 * smoothstep(0.001, 0.016, stone.x) + 0.012 * stone.y + rough;
+  return 0.022 * smoothstep(-0.004, 0.022, stone.x) + 0.016 * stone.y + rough;
 }
 vec3 albedo_at(vec2 at, float height_m) {
   vec2 stone = stone_at(at);
   vec3 own = tiling_values(ivec2(int(stone.y * 4096.0), 0), ivec2(4096, 1), 10u);
-  vec3 albedo = mix(vec3(0.20, 0.185, 0.16), vec3(0.235, 0.195, 0.145), own.x) * (0.62 + 0.62 * own.y);
+  vec3 albedo = mix(vec3(0.165, 0.160, 0.150), vec3(0.215, 0.180, 0.138), own.x) * (0.55 + 0.70 * own.y);
   albedo *= 0.78 + 0.44 * tiling_noise(at * vec2(24.0, 18.0), ivec2(24, 18), 11u);
   albedo *= 0.84 + 0.32 * tiling_noise(at * vec2(150.0, 112.0), ivec2(150, 112), 12u);
   float ragged = tiling_noise(at * vec2(80.0, 60.0), ivec2(80, 60), 13u);
   float crust = smoothstep(0.62, 0.70, 0.70 * tiling_noise(at * vec2(13.0, 10.0), ivec2(13, 10), 14u) + 0.32 * ragged);
-  albedo = mix(albedo, vec3(0.29, 0.30, 0.24), 0.65 * crust);
-  return albedo * mix(0.10, 1.0, smoothstep(-0.002, 0.010, stone.x));
+  albedo = mix(albedo, vec3(0.25, 0.26, 0.21), 0.6 * crust);
+  return albedo * mix(0.12, 1.0, smoothstep(-0.004, 0.007, stone.x));
 }
 #endif
