@@ -93,11 +93,12 @@ TEST_P(WallMesh, OutlineIsWhereWalkersMustNotBe) {
     double covered_m = 0.0;
     for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
       const ObstacleVertex &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
-      const glm::dvec2 from_m(a.place_m), to_m(c.place_m);
+      const glm::dvec2 from_m(a.place_m);
+      const glm::dvec2 to_m(glm::dvec2(c.place_m) == from_m ? b.place_m : c.place_m);
       if (!is_side(mesh, triangle) || to_ring_m(from_m, ring) > kSameM || to_ring_m(to_m, ring) > kSameM ||
           to_ring_m(0.5 * (from_m + to_m), ring) > kSameM)
         continue;
-      covered_m += 0.5 * glm::distance(from_m, to_m);  // both triangles of each side have one such edge
+      covered_m += 0.5 * glm::distance(from_m, to_m);  // each side is of two triangles
       if (glm::distance(from_m, to_m) > 0.05) {
         const glm::dvec2 middle_m = 0.5 * (from_m + to_m), outward(b.facing);
         EXPECT_GT(to_wall_m(middle_m + 0.01 * outward, footprints), 0.0);
