@@ -44,12 +44,12 @@ struct Ring {
   double up_the_bark_m = 0.0;
 };
 
-void add_trunk(const Trunk& trunk, const HeightField& ground, ObstacleMesh& mesh) {
+void add_trunk(const Trunk& trunk, const HeightField& ground, double sagitta_m, ObstacleMesh& mesh) {
   const Chance chance(trunk.position_m, 1);
   const double radius_m = trunk.radius_m;
   // The sagitta of a side is r (1 - cos(pi / n)), less than r (pi / n)^2 / 2.
   const auto sides = static_cast<std::uint32_t>(
-      std::max(12.0, std::ceil(std::numbers::pi / std::sqrt(2.0 * kTrunkSagittaM / radius_m))));
+      std::max(8.0, std::ceil(std::numbers::pi / std::sqrt(2.0 * sagitta_m / radius_m))));
   const auto direction = [&](std::uint32_t n) {
     const double angle = 2.0 * std::numbers::pi * (n % sides) / sides;
     return glm::dvec2(std::cos(angle), std::sin(angle));
@@ -64,9 +64,9 @@ void add_trunk(const Trunk& trunk, const HeightField& ground, ObstacleMesh& mesh
   // A cylinder with half a sphere upon it; bark on its shoulder, worn wood above.
   const double rise_m = std::min(radius_m, trunk.height_m);
   const double shoulder_m = foot_m + trunk.height_m - rise_m;
-  const int arcs = std::clamp(static_cast<int>(sides / 4), 6, 16);
+  const int arcs = std::clamp(static_cast<int>(sides / 4), 3, 16);
   std::vector<Ring> bark, wood;
-  const double lengths = std::clamp(std::ceil((shoulder_m - lowest_m) / 1.0), 1.0, 24.0);
+  const double lengths = std::clamp(std::ceil((shoulder_m - lowest_m) / 1.5), 1.0, 16.0);
   const double bottom_m = lowest_m - kIntoGroundM;
   for (double n = 0.0; n < lengths; ++n) {
     const double z_m = bottom_m + (shoulder_m - bottom_m) * n / lengths;
@@ -101,7 +101,8 @@ void add_trunk(const Trunk& trunk, const HeightField& ground, ObstacleMesh& mesh
           vertex.on_map = shift + glm::vec2(around * n / sides, ring.up_the_bark_m / kBarkM);
           // Algae and moss where it is shaded and damp: in the north, and near the ground.
           const float damp = std::clamp(0.75f * static_cast<float>(way.y) + 0.35f * chance(20 + n / 3 % 8) -
-                                            0.25f * vertex.above_ground_m, 0.0f, 1.0f);
+                                            0.25f * vertex.above_ground_m,
+                                        0.0f, 1.0f);
           vertex.tint = tone * glm::mix(glm::vec3(1.0f), glm::vec3(0.78f, 1.02f, 0.60f), damp);
         } else {
           vertex.along = across(vertex.facing, {1.0f, 0.0f, 0.0f});
@@ -143,8 +144,9 @@ double lowest_around_m(const PlacedBlock& place, const HeightField& ground) {
   double lowest_m = std::numeric_limits<double>::infinity();
   for (double n = 0.0; n <= steps; ++n) {
     const double share = 2.0 * n / steps - 1.0;
-    for (const glm::dvec2 at_m : {glm::dvec2(share * half_x_m, -half_y_m), glm::dvec2(share * half_x_m, half_y_m),
-                                  glm::dvec2(-half_x_m, share * half_y_m), glm::dvec2(half_x_m, share * half_y_m)}) {
+    for (const glm::dvec2 at_m :
+         {glm::dvec2(share * half_x_m, -half_y_m), glm::dvec2(share * half_x_m, half_y_m),
+          glm::dvec2(-half_x_m, share * half_y_m), glm::dvec2(half_x_m, share * half_y_m)}) {
       const glm::dvec3 place_m = place.centre_m + place.axes * glm::dvec3(at_m, 0.0);
       lowest_m = std::min(lowest_m, static_cast<double>(ground.height_m(glm::dvec2(place_m))));
     }
@@ -157,11 +159,13 @@ void add_block(const Block& block, const HeightField& ground, ObstacleMesh& mesh
   const Chance chance(block.position_m, 2);
   const PlacedBlock place = placed(block, ground);
   glm::dvec3 half_m = place.half_size_m, centre_m = place.centre_m;
-  const double deeper_m = std::max(centre_m.z - half_m.z - lowest_around_m(place, ground), 0.0) + kIntoGroundM;
+  const double deeper_m =
+      std::max(centre_m.z - half_m.z - lowest_around_m(place, ground), 0.0) + kIntoGroundM;
   half_m.z += 0.5 * deeper_m;
   centre_m.z -= 0.5 * deeper_m;
   const float tone = 0.75f + 0.45f * chance(1);
-  const glm::vec3 tint = tone * glm::mix(glm::vec3(1.12f, 1.0f, 0.86f), glm::vec3(0.96f, 1.0f, 1.0f), chance(2));
+  const glm::vec3 tint =
+      tone * glm::mix(glm::vec3(1.12f, 1.0f, 0.86f), glm::vec3(0.96f, 1.0f, 1.0f), chance(2));
   for (int face = 0; face < 6; ++face) {
     const int axis = face / 2, u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
     const double side = face % 2 == 0 ? 1.0 : -1.0;
@@ -170,7 +174,8 @@ void add_block(const Block& block, const HeightField& ground, ObstacleMesh& mesh
     const int board_axis = axis != 2 ? 1 - axis : (half_m.x >= half_m.y ? 0 : 1);
     const int stack_axis = 3 - axis - board_axis;
     const double boards = std::max(1.0, std::round(2.0 * place.half_size_m[stack_axis] / kBoardM));
-    const double first_board = std::floor(8.0 * static_cast<double>(chance(10 + static_cast<std::uint32_t>(face))));
+    const double first_board =
+        std::floor(8.0 * static_cast<double>(chance(10 + static_cast<std::uint32_t>(face))));
     const double shift = static_cast<double>(chance(20 + static_cast<std::uint32_t>(face)));
     glm::dvec3 facing(0.0), along(0.0);
     facing[axis] = side;
@@ -194,7 +199,8 @@ void add_block(const Block& block, const HeightField& ground, ObstacleMesh& mesh
         const double from_top = glm::dot(at_m, glm::abs(stacked)) - half_m[stack_axis];
         const double board = first_board + from_top * boards / (2.0 * place.half_size_m[stack_axis]);
         const double sense = glm::dot(stacked, glm::dvec3(1.0));
-        vertex.on_map = glm::vec2(shift + glm::dot(at_m, along) / kBoardLengthM, sense * board / kBoardsOnMap);
+        vertex.on_map =
+            glm::vec2(shift + glm::dot(at_m, along) / kBoardLengthM, sense * board / kBoardsOnMap);
         vertex.tint = tint;
         vertex.above_ground_m = above_m(ground, vertex.place_m);
         vertex.material = ObstacleMaterial::kBoards;
@@ -217,7 +223,8 @@ void add_block(const Block& block, const HeightField& ground, ObstacleMesh& mesh
   }
 }
 
-// Facets with the normals of the hull half worn round. Each takes the granite from the side that it mostly faces.
+// Facets with the normals of the hull half worn round. Each takes the granite from the side that it mostly
+// faces.
 void add_rock(const Rock& rock, const HeightField& ground, ObstacleMesh& mesh) {
   constexpr double kWorn = 0.4;
   const Chance chance(rock.position_m, rock.seed);
@@ -232,7 +239,8 @@ void add_rock(const Rock& rock, const HeightField& ground, ObstacleMesh& mesh) {
     for (const std::uint32_t corner : facet) round[corner] += glm::cross(b - a, c - a);
   }
   // On large rocks the grain is drawn larger, or one would see it repeat.
-  const double map_m = kGraniteM * std::max(1.0, std::max({rock.size_m.x, rock.size_m.y, rock.size_m.z}) / 6.0);
+  const double map_m =
+      kGraniteM * std::max(1.0, std::max({rock.size_m.x, rock.size_m.y, rock.size_m.z}) / 6.0);
   const glm::vec2 shift(chance(1), chance(2));
   const float tone = 0.82f + 0.42f * chance(3);
   for (const std::array<std::uint32_t, 3>& facet : hull.triangles) {
@@ -256,7 +264,8 @@ void add_rock(const Rock& rock, const HeightField& ground, ObstacleMesh& mesh) {
                       0.37f * static_cast<float>(axis);
       vertex.above_ground_m = above_m(ground, vertex.place_m);
       // Bleached where rain runs off, stained by soil and moss below.
-      const float high = std::clamp(vertex.above_ground_m / static_cast<float>(0.6 * rock.size_m.z), 0.0f, 1.0f);
+      const float high =
+          std::clamp(vertex.above_ground_m / static_cast<float>(0.6 * rock.size_m.z), 0.0f, 1.0f);
       const float own = tone * (0.86f + 0.28f * chance(100 + corner));
       vertex.tint = own * glm::mix(glm::vec3(0.70f, 0.74f, 0.58f), glm::vec3(1.06f, 1.05f, 1.03f), high);
       vertex.material = ObstacleMaterial::kGranite;
@@ -268,8 +277,9 @@ void add_rock(const Rock& rock, const HeightField& ground, ObstacleMesh& mesh) {
 
 }  // namespace
 
-void add_mesh(const Obstacle& obstacle, const HeightField& ground, ObstacleMesh& mesh) {
-  if (const auto* trunk = std::get_if<Trunk>(&obstacle)) add_trunk(*trunk, ground, mesh);
+void add_mesh(const Obstacle& obstacle, const HeightField& ground, ObstacleMesh& mesh,
+              double trunk_sagitta_m) {
+  if (const auto* trunk = std::get_if<Trunk>(&obstacle)) add_trunk(*trunk, ground, trunk_sagitta_m, mesh);
   if (const auto* block = std::get_if<Block>(&obstacle)) add_block(*block, ground, mesh);
   if (const auto* rock = std::get_if<Rock>(&obstacle)) add_rock(*rock, ground, mesh);
 }

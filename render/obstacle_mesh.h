@@ -1,7 +1,7 @@
-// What stands in the meadow (agents/obstacle.h) as triangles in the scene, so that what is drawn is what walkers
-// see: in plan a block has its four corners, a rock is the hull that hull_of() finds, a trunk a polygon within its
-// circle, off by a millimetre at most. Everything reaches into the ground, so that no gap shows on slopes; where
-// it does, it is open at the bottom.
+// What stands in the meadow (agents/obstacle.h) as triangles in the scene, so that what is drawn is what
+// walkers see: in plan a block has its four corners, a rock is the hull that hull_of() finds, a trunk a
+// polygon within its circle, off by a millimetre at most. Everything reaches into the ground, so that no gap
+// shows on slopes; where it does, it is open at the bottom.
 #pragma once
 
 #include <array>
@@ -33,11 +33,15 @@ struct ObstacleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from outside
 };
 
-/// Appends.
-void add_mesh(const Obstacle& obstacle, const HeightField& ground, ObstacleMesh& mesh);
-
-/// How far a trunk's outline may lie within its circle.
+/// How far a trunk's outline may lie within its circle: by itself, and where pixels are as large as twice
+/// that.
 inline constexpr double kTrunkSagittaM = 1e-3;
+inline constexpr double kFarTrunkSagittaM = 1e-2;
+
+/// Appends.
+void add_mesh(const Obstacle& obstacle, const HeightField& ground, ObstacleMesh& mesh,
+              double trunk_sagitta_m = kTrunkSagittaM);
+
 /// What has no depth of its own in the ground reaches so far into it.
 inline constexpr double kIntoGroundM = 0.3;
 

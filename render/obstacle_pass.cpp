@@ -21,8 +21,8 @@
 namespace prairie {
 namespace {
 
-/// Floats are fine enough for tenths of a millimetre within it.
-constexpr double kSquareM = 64.0;
+/// Floats are fine to a thousandth of a millimetre within it; small enough to tell near trunks from far ones.
+constexpr double kSquareM = 16.0;
 
 struct DeviceVertex {
   glm::vec3 place_m;
@@ -39,12 +39,13 @@ DeviceVertex device_vertex(const ObstacleVertex& vertex, glm::dvec3 origin_m) {
           glm::u8vec4(glm::vec4(tint + 0.5f, static_cast<float>(vertex.material)))};
 }
 
-/// Things whose triangles begin in it.
+/// Triangles with an origin of their own. They lie in the order near trunks, all else, far trunks, so that
+/// what a frame draws of it is in one piece.
 struct Square {
   glm::dvec3 origin_m{0.0};
-  AlignedBox box;
+  AlignedBox box{glm::dvec3(1e9), glm::dvec3(-1e9)};
   std::size_t first_index = 0;
-  GLsizei indices = 0;
+  std::size_t near_trunks = 0, others = 0, far_trunks = 0;  // indices
 };
 
 struct Squares {
@@ -53,30 +54,59 @@ struct Squares {
   std::vector<std::uint32_t> indices;
 };
 
-Squares sorted_into_squares(const ObstacleMesh& mesh) {
-  std::map<std::pair<double, double>, std::vector<std::size_t>> triangles_of;
-  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
-    const glm::dvec3 place_m = mesh.vertices[mesh.triangles[n][0]].place_m;
-    triangles_of[{std::floor(place_m.x / kSquareM), std::floor(place_m.y / kSquareM)}].push_back(n);
+/// Near trunks, all else, far trunks.
+using Meshes = std::array<ObstacleMesh, 3>;
+
+Meshes meshes_of(const StandingThings& things, const HeightField& ground) {
+  Meshes meshes;
+  for (const Obstacle& obstacle : things.obstacles) {
+    if (std::holds_alternative<Trunk>(obstacle)) {
+      add_mesh(obstacle, ground, meshes[0], kTrunkSagittaM);
+      add_mesh(obstacle, ground, meshes[2], kFarTrunkSagittaM);
+    } else {
+      add_mesh(obstacle, ground, meshes[1]);
+    }
+  }
+  for (const Wall& wall : things.walls) add_mesh(wall, ground, meshes[1]);
+  return meshes;
+}
+
+/// Appends the vertices and indices of some triangles, as seen from the square's origin; how many indices.
+std::size_t add_triangles(const ObstacleMesh& mesh, std::span<const std::size_t> triangles, Square& square,
+                          Squares& sorted) {
+  std::unordered_map<std::uint32_t, std::uint32_t> taken;
+  for (const std::size_t triangle : triangles) {
+    for (const std::uint32_t corner : mesh.triangles[triangle]) {
+      const ObstacleVertex& vertex = mesh.vertices[corner];
+      const auto [entry, is_new] =
+          taken.try_emplace(corner, static_cast<std::uint32_t>(sorted.vertices.size()));
+      if (is_new) sorted.vertices.push_back(device_vertex(vertex, square.origin_m));
+      sorted.indices.push_back(entry->second);
+      square.box = {glm::min(square.box.min_m, vertex.place_m), glm::max(square.box.max_m, vertex.place_m)};
+    }
+  }
+  return 3 * triangles.size();
+}
+
+Squares sorted_into_squares(const Meshes& meshes) {
+  std::map<std::pair<double, double>, std::array<std::vector<std::size_t>, 3>> triangles_at;
+  for (std::size_t part = 0; part < meshes.size(); ++part) {
+    for (std::size_t n = 0; n < meshes[part].triangles.size(); ++n) {
+      const glm::dvec3 place_m = meshes[part].vertices[meshes[part].triangles[n][0]].place_m;
+      triangles_at[{std::floor(place_m.x / kSquareM), std::floor(place_m.y / kSquareM)}][part].push_back(n);
+    }
   }
   Squares sorted;
-  for (const auto& [at, triangles] : triangles_of) {
-    const double first_z_m = mesh.vertices[mesh.triangles[triangles[0]][0]].place_m.z;
+  for (const auto& [at, triangles] : triangles_at) {
     Square square;
-    square.origin_m = {kSquareM * (at.first + 0.5), kSquareM * (at.second + 0.5), std::round(first_z_m)};
-    square.box = {glm::dvec3(1e9), glm::dvec3(-1e9)};
+    const std::size_t some = triangles[1].empty() ? 0 : 1;  // near and far trunks come together
+    const std::uint32_t corner = meshes[some].triangles[triangles[some][0]][0];
+    square.origin_m = {kSquareM * (at.first + 0.5), kSquareM * (at.second + 0.5),
+                       std::round(meshes[some].vertices[corner].place_m.z)};
     square.first_index = sorted.indices.size();
-    square.indices = static_cast<GLsizei>(3 * triangles.size());
-    std::unordered_map<std::uint32_t, std::uint32_t> taken;
-    for (const std::size_t triangle : triangles) {
-      for (const std::uint32_t corner : mesh.triangles[triangle]) {
-        const ObstacleVertex& vertex = mesh.vertices[corner];
-        const auto [entry, is_new] = taken.try_emplace(corner, static_cast<std::uint32_t>(sorted.vertices.size()));
-        if (is_new) sorted.vertices.push_back(device_vertex(vertex, square.origin_m));
-        sorted.indices.push_back(entry->second);
-        square.box = {glm::min(square.box.min_m, vertex.place_m), glm::max(square.box.max_m, vertex.place_m)};
-      }
-    }
+    square.near_trunks = add_triangles(meshes[0], triangles[0], square, sorted);
+    square.others = add_triangles(meshes[1], triangles[1], square, sorted);
+    square.far_trunks = add_triangles(meshes[2], triangles[2], square, sorted);
     sorted.squares.push_back(square);
   }
   return sorted;
@@ -85,25 +115,29 @@ Squares sorted_into_squares(const ObstacleMesh& mesh) {
 }  // namespace
 
 struct ObstaclePass::Device {
-  Device(const std::filesystem::path& shader_folder, const ObstacleMesh& mesh)
+  Device(const std::filesystem::path& shader_folder, const Meshes& meshes)
       : program(make_program(shader_folder, {"pass/obstacle.vert", "pass/obstacle.frag"})),
         vertex_array(make_vertex_array()) {
     std::array<bool, kObstacleMaterials> materials{};
-    for (const ObstacleVertex& vertex : mesh.vertices) materials[static_cast<std::size_t>(vertex.material)] = true;
+    for (const ObstacleMesh& mesh : meshes) {
+      for (const ObstacleVertex& vertex : mesh.vertices)
+        materials[static_cast<std::size_t>(vertex.material)] = true;
+    }
     texture = paint_obstacle_texture(shader_folder, materials);
-    Squares sorted = sorted_into_squares(mesh);
+    Squares sorted = sorted_into_squares(meshes);
     squares = std::move(sorted.squares);
     vertices.upload(std::span<const DeviceVertex>(sorted.vertices));
     indices.upload(std::span<const std::uint32_t>(sorted.indices));
     const GLuint array = vertex_array.get();
     glVertexArrayVertexBuffer(array, 0, vertices.get(), 0, sizeof(DeviceVertex));
     glVertexArrayElementBuffer(array, indices.get());
-    for (const auto& [index, offset] : {std::pair(0u, offsetof(DeviceVertex, place_m)),
-                                        std::pair(1u, offsetof(DeviceVertex, facing)),
-                                        std::pair(2u, offsetof(DeviceVertex, along)),
-                                        std::pair(3u, offsetof(DeviceVertex, map_and_height))})
+    for (const auto& [index, offset] :
+         {std::pair(0u, offsetof(DeviceVertex, place_m)), std::pair(1u, offsetof(DeviceVertex, facing)),
+          std::pair(2u, offsetof(DeviceVertex, along)),
+          std::pair(3u, offsetof(DeviceVertex, map_and_height))})
       glVertexArrayAttribFormat(array, index, 3, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    glVertexArrayAttribFormat(array, 4, 4, GL_UNSIGNED_BYTE, GL_FALSE, offsetof(DeviceVertex, tint_and_layer));
+    glVertexArrayAttribFormat(array, 4, 4, GL_UNSIGNED_BYTE, GL_FALSE,
+                              offsetof(DeviceVertex, tint_and_layer));
     for (const GLuint index : {0u, 1u, 2u, 3u, 4u}) {
       glEnableVertexArrayAttrib(array, index);
       glVertexArrayAttribBinding(array, index, 0);
@@ -123,10 +157,10 @@ ObstaclePass::ObstaclePass(std::filesystem::path shader_folder) : shader_folder_
 ObstaclePass::~ObstaclePass() = default;
 
 void ObstaclePass::set(const StandingThings& things, const HeightField& ground) {
-  ObstacleMesh mesh;
-  for (const Obstacle& obstacle : things.obstacles) add_mesh(obstacle, ground, mesh);
-  for (const Wall& wall : things.walls) add_mesh(wall, ground, mesh);
-  device_ = mesh.triangles.empty() ? nullptr : std::make_unique<Device>(shader_folder_, mesh);
+  const Meshes meshes = meshes_of(things, ground);
+  const bool is_empty =
+      std::ranges::all_of(meshes, [](const ObstacleMesh& mesh) { return mesh.triangles.empty(); });
+  device_ = is_empty ? nullptr : std::make_unique<Device>(shader_folder_, meshes);
   seen_.clear();
 }
 
@@ -136,8 +170,10 @@ void ObstaclePass::prepare(const Camera& camera) {
   const Frustum frustum(camera);
   for (std::size_t n = 0; n < device_->squares.size(); ++n) {
     const Square& square = device_->squares[n];
-    if (frustum.may_see(square.box))
-      seen_.push_back({nearest_distance_m(square.box, camera.eye_m), n, glm::vec3(square.origin_m - camera.eye_m)});
+    if (!frustum.may_see(square.box)) continue;
+    const double distance_m = nearest_distance_m(square.box, camera.eye_m);
+    const bool is_far = camera.pixel_m_at(distance_m) > 2.0 * kFarTrunkSagittaM;
+    seen_.push_back({distance_m, n, is_far, glm::vec3(square.origin_m - camera.eye_m)});
   }
   std::ranges::stable_sort(seen_, {}, &Seen::distance_m);
 }
@@ -154,9 +190,11 @@ void ObstaclePass::draw() {
   for (const Seen& seen : seen_) {
     const Square& square = device_->squares[seen.square];
     glProgramUniform3fv(program, 0, 1, &seen.origin_from_eye_m[0]);
-    glDrawElements(GL_TRIANGLES, square.indices, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(square.first_index * sizeof(std::uint32_t)));
-    triangles_drawn_ += static_cast<std::uint64_t>(square.indices) / 3;
+    const std::size_t first = square.first_index + (seen.is_far ? square.near_trunks : 0);
+    const std::size_t indices = square.others + (seen.is_far ? square.far_trunks : square.near_trunks);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+    triangles_drawn_ += indices / 3;
   }
   glDisable(GL_CULL_FACE);
 }

@@ -1,7 +1,7 @@
-// Draws what stands in the meadow: trunks, blocks, rocks and walls (render/obstacle_mesh.h, render/wall_mesh.h). It
-// does not move, so that it is handed to the device once, in squares with an origin each, so that places are
-// precise however far from the scene's origin; squares out of sight are left out. A frame where nothing stands
-// costs nothing.
+// Draws what stands in the meadow: trunks, blocks, rocks and walls (render/obstacle_mesh.h,
+// render/wall_mesh.h). It does not move, so that it is handed to the device once, in squares with an origin
+// each, so that places are precise however far from the scene's origin; squares out of sight are left out,
+// and trunks in far ones have fewer sides. A frame where nothing stands costs nothing.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ class ObstaclePass {
   ObstaclePass(const ObstaclePass&) = delete;
   ObstaclePass& operator=(const ObstaclePass&) = delete;
 
-  /// From now on these stand on that ground. Throws NoSuitableOpenGl, BadInput where shaders cannot be made, and
-  /// BadInput on an outline that convex_pieces() refuses; what stood before then still does.
+  /// From now on these stand on that ground. Throws NoSuitableOpenGl, BadInput where shaders cannot be made,
+  /// and BadInput on an outline that convex_pieces() refuses; what stood before then still does.
   void set(const StandingThings& things, const HeightField& ground);
   /// Finds what a frame sees, nearest first.
   void prepare(const Camera& camera);
@@ -35,6 +35,7 @@ class ObstaclePass {
   struct Seen {
     double distance_m = 0.0;
     std::size_t square = 0;
+    bool is_far = false;  // trunks are then of fewer sides
     glm::vec3 origin_from_eye_m{0.0f};
   };
 

@@ -10,9 +10,10 @@
 namespace prairie {
 namespace {
 
-constexpr int kSide = 512;  // 2 or 3 mm a texel
+constexpr int kSide = 512;        // 2 or 3 mm a texel
 constexpr int kReliefPlaces = 7;  // that a texel is found from
-constexpr std::array<const char*, kObstacleMaterials> kDefines{"BARK", "END_GRAIN", "GRANITE", "BOARDS", "DRY_STONE"};
+constexpr std::array<const char*, kObstacleMaterials> kDefines{"BARK", "END_GRAIN", "GRANITE", "BOARDS",
+                                                               "DRY_STONE"};
 
 GlTexture make_layers() {
   GlTexture texture = make_texture(GL_TEXTURE_2D_ARRAY);
@@ -27,7 +28,8 @@ GlTexture make_layers() {
 
 }  // namespace
 
-ObstacleTexture paint_obstacle_texture(const std::filesystem::path& shader_folder, std::span<const bool> materials) {
+ObstacleTexture paint_obstacle_texture(const std::filesystem::path& shader_folder,
+                                       std::span<const bool> materials) {
   assert(materials.size() == kObstacleMaterials);
   const GlVertexArray no_vertices = make_vertex_array();
   const GlFramebuffer framebuffer = make_framebuffer();

@@ -15,7 +15,9 @@ namespace {
 
 using Ring = std::vector<glm::dvec2>;
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
 
 double area_m2(const Ring& ring) {
   double twice = 0.0;
@@ -107,8 +109,8 @@ Ring clipped(const Ring& ring, int axis, double line_m, double side) {
   return part;
 }
 
-/// Calls `use` for the parts of a convex polygon in the lattice's squares. Halved at the middle line again and
-/// again, so that long thin pieces cost no more than the squares they cross.
+/// Calls `use` for the parts of a convex polygon in the lattice's squares. Halved at the middle line again
+/// and again, so that long thin pieces cost no more than the squares they cross.
 template <typename Use>
 void cut(const Ring& ring, const Lattice& lattice, const Use& use) {
   for (int axis = 0; axis < 2; ++axis) {
@@ -143,7 +145,8 @@ Top top_of(const WallPolygon& polygon) {
   for (std::size_t n = 0; n < polygon.outer_m.size(); ++n)
     length_m += glm::distance(polygon.outer_m[n], polygon.outer_m[(n + 1) % polygon.outer_m.size()]);
   Lattice lattice;
-  lattice.step_m = std::max({kStepM, std::sqrt(std::max(size_m2, 0.0) / kMostSquares), length_m / kMostSquares});
+  lattice.step_m =
+      std::max({kStepM, std::sqrt(std::max(size_m2, 0.0) / kMostSquares), length_m / kMostSquares});
   // Outlines on round numbers of metres must not lie along it.
   lattice.origin_m = polygon.outer_m[0] + lattice.step_m * glm::dvec2(0.381, 0.367);
 
@@ -154,9 +157,11 @@ Top top_of(const WallPolygon& polygon) {
       std::vector<std::uint32_t> corners;
       for (const glm::dvec2 p : part) {
         const std::uint32_t corner = weld(p);
-        if (corners.empty() || (corners.back() != corner && corners.front() != corner)) corners.push_back(corner);
+        if (corners.empty() || (corners.back() != corner && corners.front() != corner))
+          corners.push_back(corner);
       }
-      for (std::size_t n = 2; n < corners.size(); ++n) top.triangles.push_back({corners[0], corners[n - 1], corners[n]});
+      for (std::size_t n = 2; n < corners.size(); ++n)
+        top.triangles.push_back({corners[0], corners[n - 1], corners[n]});
     });
   }
   top.points_m = std::move(weld.points_m);
@@ -186,7 +191,8 @@ std::vector<std::vector<std::uint32_t>> rings_of(const Top& top) {
   return rings;
 }
 
-void add_extruded(const WallPolygon& polygon, double height_m, const HeightField& ground, ObstacleMesh& mesh) {
+void add_extruded(const WallPolygon& polygon, double height_m, const HeightField& ground,
+                  ObstacleMesh& mesh) {
   const Top top = top_of(polygon);
   const auto ground_m = [&](glm::dvec2 p) { return static_cast<double>(ground.height_m(p)); };
   const auto tint_of = [](std::uint32_t point) {
@@ -246,6 +252,7 @@ void add_extruded(const WallPolygon& polygon, double height_m, const HeightField
 
 std::vector<WallPolygon> standing_polygons(const Wall& wall) {
   if (wall.height_m <= 0.0) return {};
+  convex_pieces(wall.outline);  // refuses what is no outline
   if (wall.walkers == WallSide::kOutside) return {wall.outline};
   std::vector<WallPolygon> polygons;
   const Ring outer = tidied(wall.outline.outer_m);
@@ -265,7 +272,8 @@ std::vector<WallPolygon> standing_polygons(const Wall& wall) {
 }
 
 void add_mesh(const Wall& wall, const HeightField& ground, ObstacleMesh& mesh) {
-  for (const WallPolygon& polygon : standing_polygons(wall)) add_extruded(polygon, wall.height_m, ground, mesh);
+  for (const WallPolygon& polygon : standing_polygons(wall))
+    add_extruded(polygon, wall.height_m, ground, mesh);
 }
 
 }  // namespace prairie

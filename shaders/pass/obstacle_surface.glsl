@@ -1,5 +1,5 @@
-// What the surfaces of things that stand in the meadow are like, each over one repeat of its texture: for a place on it from 0
-// to 1 the relief (metres) and the albedo. One of BARK, END_GRAIN, GRANITE, BOARDS, DRY_STONE is set.
+// What the surfaces of things that stand in the meadow are like, each over one repeat of its texture: for a place on it
+// from 0 to 1 the relief (metres) and the albedo. One of BARK, END_GRAIN, GRANITE, BOARDS, DRY_STONE is set.
 #include "shaders/pass/tiling_noise.glsl"
 
 float ramp(float low, float high, float x) { return clamp((x - low) / (high - low), 0.0, 1.0); }
@@ -8,7 +8,8 @@ float ramp(float low, float high, float x) { return clamp((x - low) / (high - lo
 const vec2 kMapM = vec2(1.2, 1.2);
 // Long plates, parted by furrows that run up and join.
 float relief_m(vec2 at) {
-  vec2 bent = vec2(tiling_noise(at * vec2(7.0, 6.0), ivec2(7, 6), 1u), tiling_noise(at * vec2(30.0, 14.0), ivec2(30, 14), 2u)) - 0.5;
+  vec2 bent = vec2(tiling_noise(at * vec2(7.0, 6.0), ivec2(7, 6), 1u),
+                   tiling_noise(at * vec2(30.0, 14.0), ivec2(30, 14), 2u)) - 0.5;
   vec2 p = at * vec2(26.0, 4.0) + vec2(1.1 * bent.x + 0.45 * bent.y, 0.8 * bent.x);
   float plate = smoothstep(0.0, 0.36, tiling_cells(p, ivec2(26, 4), 3u).x);
   vec2 q = at * vec2(34.0, 22.0) + vec2(1.2 * bent.y, 1.5 * bent.x + 0.9 * bent.y);
@@ -23,8 +24,9 @@ vec3 albedo_at(vec2 at, float height_m) {
   float fine = tiling_noise(at * vec2(140.0, 80.0), ivec2(140, 80), 8u);
   vec3 albedo = mix(vec3(0.034, 0.026, 0.019), vec3(0.122, 0.102, 0.084), out_of_furrow);
   albedo *= (0.72 + 0.40 * patchy) * (0.82 + 0.36 * fine);
-  float lichen = smoothstep(0.60, 0.76, 0.55 * tiling_noise(at * vec2(9.0, 8.0), ivec2(9, 8), 9u) +
-                                            0.45 * tiling_noise(at * vec2(64.0, 60.0), ivec2(64, 60), 10u)) * out_of_furrow;
+  float patches = 0.55 * tiling_noise(at * vec2(9.0, 8.0), ivec2(9, 8), 9u) +
+                  0.45 * tiling_noise(at * vec2(64.0, 60.0), ivec2(64, 60), 10u);
+  float lichen = smoothstep(0.60, 0.76, patches) * out_of_furrow;
   return mix(albedo, vec3(0.17, 0.18, 0.15), 0.55 * lichen);
 }
 #endif
@@ -72,7 +74,8 @@ vec3 albedo_at(vec2 at, float height_m) {
   float broad = tiling_noise(at * 4.0, ivec2(4), 7u);
   float patchy = tiling_noise(at * 13.0, ivec2(13), 8u);
   vec3 albedo = vec3(0.185, 0.177, 0.164) * (0.70 + 0.36 * broad + 0.24 * patchy);
-  albedo *= mix(vec3(1.0), vec3(1.08, 0.94, 0.80), smoothstep(0.5, 0.8, 0.6 * tiling_noise(at * 5.0, ivec2(5), 9u) + 0.4 * patchy));
+  float rust = smoothstep(0.5, 0.8, 0.6 * tiling_noise(at * 5.0, ivec2(5), 9u) + 0.4 * patchy);
+  albedo *= mix(vec3(1.0), vec3(1.08, 0.94, 0.80), rust);
   // Mica, feldspar and quartz.
   float mica = 0.5 * tiling_noise(at * 120.0, ivec2(120), 10u) + 0.5 * tiling_noise(at * 220.0, ivec2(220), 11u);
   float feldspar = 0.5 * tiling_noise(at * 90.0, ivec2(90), 12u) + 0.5 * tiling_noise(at * 190.0, ivec2(190), 13u);
@@ -140,41 +143,49 @@ const vec2 kMapM = vec2(1.6, 1.2);
 const int kCourses = 9;
 const int kStones = 6;
 
+// Where a course begins, in courses, and a stone in its course, in stones.
+float course_at(int course) {
+  return float(course) + 0.6 * (tiling_values(ivec2(course, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+}
+float joint_at(int stone, int course) {
+  return float(stone) + 0.7 * (tiling_values(ivec2(stone, course), ivec2(kStones, kCourses), 6u).x - 0.5);
+}
+
 // How far into its stone a place lies (metres), and a number of the stone.
 vec2 stone_at(vec2 at) {
-  vec2 bent = 0.018 * (vec2(tiling_noise(at * vec2(14.0, 11.0), ivec2(14, 11), 1u), tiling_noise(at * vec2(14.0, 11.0), ivec2(14, 11), 2u)) - 0.5);
-  bent += 0.009 * (vec2(tiling_noise(at * vec2(44.0, 33.0), ivec2(44, 33), 15u), tiling_noise(at * vec2(44.0, 33.0), ivec2(44, 33), 16u)) - 0.5);
+  vec2 broad = at * vec2(14.0, 11.0), ragged = at * vec2(44.0, 33.0);
+  vec2 bent = 0.018 * (vec2(tiling_noise(broad, ivec2(14, 11), 1u), tiling_noise(broad, ivec2(14, 11), 2u)) - 0.5);
+  bent += 0.009 * (vec2(tiling_noise(ragged, ivec2(44, 33), 15u), tiling_noise(ragged, ivec2(44, 33), 16u)) - 0.5);
   at += bent + vec2(0.0, 0.030 * (tiling_noise(at * vec2(5.0, 1.0), ivec2(5, 1), 3u) - 0.5));
   // Courses of unlike height, each joint shifted by itself.
   float place = at.y * float(kCourses);
   int course = int(floor(place));
-  float low = float(course) + 0.6 * (tiling_values(ivec2(course, 0), ivec2(kCourses, 2), 4u).x - 0.5);
-  float high = float(course + 1) + 0.6 * (tiling_values(ivec2(course + 1, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+  float low = course_at(course);
+  float high = course_at(course + 1);
   if (place < low) {
     course -= 1;
     high = low;
-    low = float(course) + 0.6 * (tiling_values(ivec2(course, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+    low = course_at(course);
   } else if (place >= high) {
     course += 1;
     low = high;
-    high = float(course + 1) + 0.6 * (tiling_values(ivec2(course + 1, 0), ivec2(kCourses, 2), 4u).x - 0.5);
+    high = course_at(course + 1);
   }
   float along = at.x * float(kStones) + tiling_values(ivec2(course, 1), ivec2(kCourses, 2), 5u).x * 3.0;
   int stone = int(floor(along));
-  ivec2 lattice = ivec2(kStones, kCourses);
-  float left = float(stone) + 0.7 * (tiling_values(ivec2(stone, course), lattice, 6u).x - 0.5);
-  float right = float(stone + 1) + 0.7 * (tiling_values(ivec2(stone + 1, course), lattice, 6u).x - 0.5);
+  float left = joint_at(stone, course);
+  float right = joint_at(stone + 1, course);
   if (along < left) {
     stone -= 1;
     right = left;
-    left = float(stone) + 0.7 * (tiling_values(ivec2(stone, course), lattice, 6u).x - 0.5);
+    left = joint_at(stone, course);
   } else if (along >= right) {
     stone += 1;
     left = right;
-    right = float(stone + 1) + 0.7 * (tiling_values(ivec2(stone + 1, course), lattice, 6u).x - 0.5);
+    right = joint_at(stone + 1, course);
   }
   // Some are two flat ones.
-  vec3 own = tiling_values(ivec2(stone, course), lattice, 7u);
+  vec3 own = tiling_values(ivec2(stone, course), ivec2(kStones, kCourses), 7u);
   if (own.y > 0.62) {
     float middle = mix(low, high, 0.32 + 0.36 * own.z);
     own.x = place < middle ? own.x : fract(own.x + 0.43);
@@ -184,7 +195,8 @@ vec2 stone_at(vec2 at) {
       low = middle;
     }
   }
-  vec2 inside = vec2(min(along - left, right - along) * kMapM.x / float(kStones), min(place - low, high - place) * kMapM.y / float(kCourses));
+  vec2 inside = vec2(min(along - left, right - along), min(place - low, high - place)) * kMapM /
+                vec2(float(kStones), float(kCourses));
   // Corners are round.
   const float kRoundM = 0.036;
   vec2 from_round = max(kRoundM - inside, 0.0);

@@ -30,15 +30,16 @@ inline OpenEdges open_edges(const ObstacleMesh& mesh) {
   std::map<std::array<long long, 3>, std::size_t> places;
   const auto place_of = [&](std::uint32_t corner) {
     const glm::dvec3 place_m = mesh.vertices[corner].place_m;
-    const std::array at{std::llround(place_m.x * 1e5), std::llround(place_m.y * 1e5), std::llround(place_m.z * 1e5)};
+    const std::array at{std::llround(place_m.x * 1e5), std::llround(place_m.y * 1e5),
+                        std::llround(place_m.z * 1e5)};
     return places.try_emplace(at, places.size()).first->second;
   };
   std::map<std::pair<std::size_t, std::size_t>, double> edges;
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
     for (std::size_t n = 0; n < 3; ++n) {
       const std::uint32_t a = triangle[n], b = triangle[(n + 1) % 3];
-      edges[{place_of(a), place_of(b)}] = static_cast<double>(
-          std::max(mesh.vertices[a].above_ground_m, mesh.vertices[b].above_ground_m));
+      edges[{place_of(a), place_of(b)}] =
+          static_cast<double>(std::max(mesh.vertices[a].above_ground_m, mesh.vertices[b].above_ground_m));
     }
   }
   OpenEdges open;

@@ -39,7 +39,8 @@ double support_m(const ObstacleMesh& mesh, glm::dvec2 direction) {
 }
 
 double support_m(const Footprint& footprint, glm::dvec2 direction) {
-  if (const auto* disc = std::get_if<Disc>(&footprint)) return glm::dot(disc->centre_m, direction) + disc->radius_m;
+  if (const auto* disc = std::get_if<Disc>(&footprint))
+    return glm::dot(disc->centre_m, direction) + disc->radius_m;
   double farthest_m = -std::numeric_limits<double>::infinity();
   for (const glm::dvec2 p : std::get<Outline>(footprint).points_m)
     farthest_m = std::max(farthest_m, glm::dot(p, direction));
@@ -126,7 +127,8 @@ TEST(ObstacleMesh, FacesOutwards) {
                        c = mesh.vertices[triangle[2]].place_m;
       const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
       EXPECT_GT(glm::dot(normal, a - inside_m), 0.0);
-      for (const std::uint32_t corner : triangle) EXPECT_GT(glm::dot(normal, glm::dvec3(mesh.vertices[corner].facing)), 0.4);
+      for (const std::uint32_t corner : triangle)
+        EXPECT_GT(glm::dot(normal, glm::dvec3(mesh.vertices[corner].facing)), 0.4);
     }
   }
 }

@@ -1,4 +1,5 @@
-// What stands covers the pixels that it should, near the origin and far from it, and costs nothing out of sight.
+// What stands covers the pixels that it should, near the origin and far from it, and costs nothing out of
+// sight.
 #include "render/obstacle_pass.h"
 
 #include <algorithm>
@@ -86,6 +87,23 @@ TEST_F(ObstaclePassTest, WhatIsOutOfSightIsNotDrawn) {
   covered(camera, things);
   EXPECT_GT(ahead, 0u);
   EXPECT_EQ(pass_.triangles_drawn(), 0u);
+}
+
+TEST_F(ObstaclePassTest, FarTrunksAreOfFewTrianglesAndCoverTheSame) {
+  // Parallel projection: the same pixels, whatever the distance; their size decides.
+  std::vector<double> areas_m2;
+  std::vector<std::uint64_t> triangles;
+  for (const int rows : {800, 120}) {
+    Camera camera;
+    camera.eye_m = {0.0, -20.0, 1.5};
+    camera.size_px = {rows, rows};
+    camera.orthographic_height_m = 4.0;
+    const auto pixels = std::ranges::count(covered(camera, {{Trunk{{0.0, 0.0}, 0.5, 3.0}}, {}}), true);
+    areas_m2.push_back(static_cast<double>(pixels) * camera.pixel_m() * camera.pixel_m());
+    triangles.push_back(pass_.triangles_drawn());
+  }
+  EXPECT_LT(triangles[1], triangles[0] / 4);
+  EXPECT_NEAR(areas_m2[1], areas_m2[0], 0.03 * areas_m2[0]);
 }
 
 TEST_F(ObstaclePassTest, WhatIsTakenAwayIsGone) {

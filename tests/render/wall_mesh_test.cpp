@@ -27,7 +27,14 @@ std::vector<glm::dvec2> round_of(glm::dvec2 centre_m, double radius_m, int corne
 
 /// An angular area with a round hole, a narrow one and one clockwise.
 WallPolygon area() {
-  return {{{4.0, 3.0}, {28.0, 4.0}, {27.0, 15.0}, {19.0, 15.5}, {26.0, 27.0}, {16.0, 20.0}, {5.0, 26.0}, {4.0, 3.0}},
+  return {{{4.0, 3.0},
+           {28.0, 4.0},
+           {27.0, 15.0},
+           {19.0, 15.5},
+           {26.0, 27.0},
+           {16.0, 20.0},
+           {5.0, 26.0},
+           {4.0, 3.0}},
           {round_of({14.0, 11.0}, 2.5, 40),
            {{22.0, 7.0}, {25.0, 7.0}, {25.0, 7.2}, {22.0, 7.2}},
            {{7.0, 15.0}, {7.0, 19.0}, {11.0, 19.0}, {11.0, 15.0}}}};
@@ -92,7 +99,8 @@ TEST_P(WallMesh, OutlineIsWhereWalkersMustNotBe) {
   for (const std::vector<glm::dvec2>& ring : rings_of(wall_.outline)) {
     double covered_m = 0.0;
     for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
-      const ObstacleVertex &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
+      const ObstacleVertex &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]],
+                           &c = mesh.vertices[triangle[2]];
       const glm::dvec2 from_m(a.place_m);
       const glm::dvec2 to_m(glm::dvec2(c.place_m) == from_m ? b.place_m : c.place_m);
       if (!is_side(mesh, triangle) || to_ring_m(from_m, ring) > kSameM || to_ring_m(to_m, ring) > kSameM ||
@@ -154,7 +162,8 @@ TEST(WallMeshOfAnArea, IsThin) {
 
 TEST(WallMeshOfAnArea, IsThinnerWhereThereIsNoRoom) {
   // Two rooms with 0.2 m between them.
-  const Wall wall{{{{0, 0}, {9, 0}, {9, 9}, {5, 9}, {5, 2}, {4.8, 2}, {4.8, 9}, {0, 9}}, {}}, WallSide::kInside, 1.0};
+  const Wall wall{
+      {{{0, 0}, {9, 0}, {9, 9}, {5, 9}, {5, 2}, {4.8, 2}, {4.8, 9}, {0, 9}}, {}}, WallSide::kInside, 1.0};
   const std::vector<Footprint> footprints = footprints_of(wall);
   const ObstacleMesh mesh = mesh_of(wall, HeightField());
   EXPECT_FALSE(mesh.triangles.empty());
@@ -175,8 +184,10 @@ TEST(WallMeshOfNothing, IsEmpty) {
 }
 
 TEST(WallMeshOfNothing, CrossedOutlinesAreRefused) {
-  const Wall crossed{{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}, WallSide::kOutside, 1.0};
-  EXPECT_THROW(mesh_of(crossed, HeightField()), BadInput);
+  for (const WallSide side : {WallSide::kInside, WallSide::kOutside}) {
+    const Wall crossed{{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}, side, 1.0};
+    EXPECT_THROW(mesh_of(crossed, HeightField()), BadInput);
+  }
 }
 
 }  // namespace
