@@ -18,6 +18,7 @@
 #include "render/mover_look.h"
 #include "render/moving_fields.h"
 #include "render/noise_texture.h"
+#include "render/obstacle_pass.h"
 #include "render/render_target.h"
 #include "render/shader_program.h"
 #include "render/sky_pass.h"
@@ -72,6 +73,7 @@ struct Renderer::Passes {
         blades(the_world, shader_folder),
         strips(shader_folder),
         solids(shader_folder),
+        obstacles(shader_folder),
         walkers(shader_folder),
         sky(shader_folder),
         field_overlay(shader_folder),
@@ -87,6 +89,7 @@ struct Renderer::Passes {
     strip_texture = StripPainter(the_world, shader_folder)
                         .paint(stream, blades, frame_params(the_world, FramePlan{}, GroundLook{}, sward.field()),
                                sward.species(), strip_traits);
+    obstacles.set(the_world.standing(), the_world.meadow().ground);
   }
 
   FramePlan plan(const Camera& camera, const FrameOptions& options, FrameStatistics& statistics) {
@@ -127,6 +130,7 @@ struct Renderer::Passes {
     solids.prepare(stream, drawn_movers(*world), plan.camera);
     std::vector<WalkerLook> looks = drawn_walkers(*world, plan.camera);
     looks.insert(looks.end(), options.walkers.begin(), options.walkers.end());
+    obstacles.prepare(plan.camera);
     walkers.prepare(stream, looks, plan.camera, frame.strip_height_m);
     field_overlay.prepare(stream, *world, plan.camera.eye_m, options.field_overlay);
     statistics.spline.triangles = blades.spline_triangles();
@@ -163,6 +167,7 @@ struct Renderer::Passes {
     strips.draw(strip_texture.get());
     timers.strips.end();
     timers.solids.begin();
+    obstacles.draw();
     solids.draw();
     walkers.draw();
     timers.solids.end();
@@ -178,8 +183,8 @@ struct Renderer::Passes {
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
-                           statistics.strip.triangles + statistics.flat.triangles + solids.triangles_drawn() +
-                           walkers.triangles_drawn();
+                           statistics.strip.triangles + statistics.flat.triangles + obstacles.triangles_drawn() +
+                           solids.triangles_drawn() + walkers.triangles_drawn();
   }
 
   void tone_map(GLuint linear_texture, GLuint framebuffer, glm::ivec2 size_px) {
@@ -201,6 +206,7 @@ struct Renderer::Passes {
   BladePass blades;
   StripPass strips;
   SolidPass solids;
+  ObstaclePass obstacles;
   WalkerPass walkers;
   std::optional<GroundPass> ground;
   GlTexture strip_texture;
@@ -221,6 +227,10 @@ Renderer::Renderer(const World& world, const std::filesystem::path& shader_folde
     : passes_(std::make_unique<Passes>(world, shader_folder)) {}
 
 Renderer::~Renderer() = default;
+
+void Renderer::stand(const StandingThings& things) {
+  passes_->obstacles.set(things, passes_->world->meadow().ground);
+}
 
 FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options, unsigned target) {
   FrameStatistics statistics;

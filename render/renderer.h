@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "agents/obstacle.h"
 #include "lod/camera.h"
 #include "lod/frame_plan.h"
 #include "lod/quality.h"
@@ -65,6 +66,9 @@ class Renderer {
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
+
+  /// What stands in the meadow from now on. Throws NoSuitableOpenGl, BadInput (render/obstacle_pass.h).
+  void stand(const StandingThings& things);
 
   /// Draws one frame into the framebuffer `target` (0: the window), tone-mapped. The camera's size is the
   /// target's.

@@ -120,5 +120,24 @@ TEST_F(GoldenTest, Walkers) {
   compare("walkers", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, options, 4), 0.05);
 }
 
+/// A trunk, a block, rocks and a wall on a slope in the grass. A quarter of the picture is theirs, smooth but for the
+/// relief on them; the rest is blades as in the other cases.
+TEST_F(GoldenTest, Obstacles) {
+  const World world = open_world(meadow_scene(folder_));
+  StandingThings things;
+  things.obstacles = {Trunk{{13.6, 6.6}, 0.22, 1.9}, Block{{14.8, 6.2}, {1.4, 0.8, 0.9}, 0.5},
+                      Rock{{16.7, 5.8}, {1.4, 1.0, 1.1}, 0.4, 3}, Rock{{16.0, 4.6}, {0.5, 0.4, 0.4}, 1.0, 9}};
+  Wall wall;
+  wall.outline.outer_m = {{11.0, 8.2}, {16.0, 8.9}, {20.0, 7.2}, {20.2, 7.5}, {16.1, 9.2}, {10.9, 8.5}};
+  wall.walkers = WallSide::kOutside;
+  wall.height_m = 0.9;
+  things.walls = {wall};
+  Camera camera = camera_above(world, {15.5, 1.2}, 1.7, 0.0, -0.2);
+  camera.size_px = {320, 240};
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  renderer.stand(things);
+  compare("obstacles", renderer.render(camera, {}, 4), 0.05);
+}
+
 }  // namespace
 }  // namespace prairie
