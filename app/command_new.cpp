@@ -57,6 +57,14 @@ void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chose
           "Metres between the pixels of the height raster (without one, the density raster's), where it does "
           "not say")
       ->type_name("METRES");
+  command
+      ->add_option_function<std::string>(
+          "--walkers",
+          [&request](const std::string& text) {
+            request.walkers = static_cast<std::uint32_t>(int_option("--walkers", text, 0, static_cast<int>(kMostWalkers)));
+          },
+          "So many people who wander there (0)")
+      ->type_name("N");
   CLI::Option* density_file =
       command->add_option("--density", density.file, "Your own density raster")->type_name("FILE");
   command
@@ -87,6 +95,7 @@ void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chose
   command->footer(
       "Examples:\n"
       "  prairie new meadow\n"
+      "  prairie new park --walkers 50\n"
       "  prairie new hills --height dtm.tif\n"
       "  prairie new konza --height dtm.tif --density ndvi.tif --density-range 0.2,0.9 --density-curve 1.5");
   command->callback([options, density_file, &globals, &chosen] {

@@ -149,16 +149,22 @@ double to_tenths(double value) {
 }
 
 // Opens the scene with the rasters where they lie now, and has it find a place to stand.
-CameraSpec found_camera(const NewSceneRequest& request, const RasterNames& names) {
+struct Found {
+  CameraSpec camera;
+  glm::dvec2 extent_m;
+};
+
+Found found_camera(const NewSceneRequest& request, const RasterNames& names) {
   Scene scene = parse_scene(raster_scene_text(request, names, std::nullopt), request.folder, {});
   if (request.height_file) scene.height->file = *request.height_file;
   if (request.density) scene.species.front().density->file = request.density->file;
   WorldOptions options;
   options.memory_budget_bytes = request.memory_budget_bytes;
-  CameraSpec camera = World(std::move(scene), options).scene().cameras.front();
+  const World world(std::move(scene), options);
+  CameraSpec camera = world.scene().cameras.front();
   camera.position_m = {to_tenths(camera.position_m.x), to_tenths(camera.position_m.y)};
   camera.pitch_deg = to_tenths(camera.pitch_deg);
-  return camera;
+  return {camera, world.meadow().extent_m};
 }
 
 void write_from_rasters(const NewSceneRequest& request) {
@@ -171,10 +177,11 @@ void write_from_rasters(const NewSceneRequest& request) {
   };
   if (request.height_file) names.height = plan_copies(*request.height_file, "height");
   if (request.density) names.density = plan_copies(request.density->file, "density");
-  const CameraSpec camera = found_camera(request, names);
+  const auto [camera, extent_m] = found_camera(request, names);
+  const std::string walkers = walkers_text(request.walkers, camera, extent_m);
   SceneFiles files(request.folder);
   for (const Copy& copy : copies) files.copy(copy.source, copy.name);
-  files.finish(raster_scene_text(request, names, camera));
+  files.finish(raster_scene_text(request, names, camera) + walkers);
 }
 
 }  // namespace

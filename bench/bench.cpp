@@ -25,6 +25,8 @@ const std::vector<Bench>& benches() {
       {bench_gjk,
        {"gjk.pairs_per_s", "gjk.warm_pairs_per_s", "gjk.fcl_pairs_per_s", "gjk.ccd_pairs_per_s", "gjk.ratio",
         "gjk.warm_ratio"}},
+      {bench_walker_steps, {"walkers.step_ms_1k", "walkers.step_ms_10k", "walkers.step_growth"}},
+      {bench_walker_frames, {"walkers.frame_ms_200", "walkers.frame_ratio_200"}},
       {bench_scale_walk,
        {"scale.ground", "scale.frame_ms_median", "scale.frame_ms_p95", "scale.probe_ms",
         "scale.frame_per_probe", "scale.plan_ms", "scale.blades_in_scene", "scale.blades_planted_in_view",

@@ -74,6 +74,14 @@ position_m = [700, 580]
 heading_deg = 70
 )";
 
+// 60 m before the start of the walk.
+constexpr const char* kWalkersText = R"([[walkers]]
+name = "people"
+count = {}
+position_m = [720, 612]
+radius_m = 32
+)";
+
 }  // namespace
 
 World scale_world(const ScaleGround& ground, const ScaleVariant& variant) {
@@ -81,6 +89,7 @@ World scale_world(const ScaleGround& ground, const ScaleVariant& variant) {
       fmt::format(fmt::runtime(kSceneText), ground.file.filename().string(), variant.repeats,
                   kFescuePerM2 * variant.density_factor, kOatgrassPerM2 * variant.density_factor);
   if (variant.windy) text += kWindText;
+  if (variant.walkers > 0) text += fmt::format(fmt::runtime(kWalkersText), variant.walkers);
   return World(parse_scene(text, ground.file.parent_path(), {}), {});
 }
 

@@ -11,6 +11,7 @@ namespace prairie {
 struct ScaleVariant {
   double density_factor = 1.0;  // of both grasses
   bool repeats = false;         // the ground goes on without end
+  int walkers = 0;              // before the eye, at least most of them in its view
   bool windy = false;           // a fresh breeze with its turbulence, and a gust on its way
 };
 

@@ -11,7 +11,7 @@ WalkingEye::WalkingEye(const ScaleGround& ground, const ScaleVariant& variant, c
 void WalkingEye::step(int frame, const OffscreenTarget& target) {
   const Camera seen = camera(frame);
   const auto start = std::chrono::steady_clock::now();
-  if (world_.scene().wind) {
+  if (world_.scene().wind || !world_.walkers().empty()) {
     world_.motion().watch(glm::dvec2(seen.eye_m));
     world_.step(kWalkFrameS);
   }
