@@ -14,6 +14,9 @@ constexpr double kStrollM = 12.0;        // a stroller turns back beyond
 constexpr double kNearerM = 0.3;         // a detour is over when the goal is so much nearer than before it
 constexpr double kGivesUpDetourS = 60.0; // and goes round the other way
 constexpr double kFollowM = 0.8;         // distance at which it goes along what it goes round
+constexpr double kHeldUpS = 1.5;         // after which it backs off
+constexpr double kBacksOffS = 1.6;
+constexpr double kMoves = 0.12;          // share of the canonical speed
 constexpr double kLeastSpeed = 0.25;     // share of the canonical one, before an obstacle
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
@@ -67,7 +70,7 @@ MotorCommand head_for(const Sight& sight, glm::dvec2 place_m, Memory& memory) {
     if (!is_in_way) return avoiding(sight, wanted, memory);
     memory.met_m = away_m;
     memory.met_s = sight.time_s;
-    if (memory.turn == 0) memory.turn = cross(nearest.toward, wanted) >= 0.0 ? 1 : -1;
+    memory.turn = cross(nearest.toward, wanted) >= 0.0 ? 1 : -1;
   }
   const bool is_past = away_m < memory.met_m - kNearerM && glm::dot(wanted, nearest.toward) < 0.2;
   if (is_past || nearest.kind == Percept::Kind::kNothing) {
@@ -78,7 +81,9 @@ MotorCommand head_for(const Sight& sight, glm::dvec2 place_m, Memory& memory) {
     memory.met_s = sight.time_s;
     memory.turn = -memory.turn;
   }
-  if (!is_solid) return avoiding(sight, sight.forward, memory);
+  const bool is_held_up = sight.time_s - memory.moved_s > kHeldUpS || sight.time_s < memory.backs_off_until_s;
+  if (!is_solid || is_held_up) return avoiding(sight, sight.forward, memory);
+  if (sight.moving_m_per_s > kMoves * sight.speed_m_per_s) memory.moved_s = sight.time_s;
   // Along it, on the side to which it turned, at a distance.
   const glm::dvec2 along = static_cast<double>(memory.turn) * left_of(nearest.toward);
   const double pull = std::clamp((nearest.distance_m - kFollowM) / kFollowM, -1.0, 1.0);
@@ -102,7 +107,10 @@ MotorCommand to_goals(const Sight& sight, Memory& memory, bool again) {
   memory.met_m = -1.0;
   const bool is_last = memory.goal == count - 1;
   const bool stays = sight.time_s - memory.goal_since_s < goal.stay_s || (is_last && !again) || count == 1;
-  if (stays) return {0.0, sight.forward};
+  if (stays) {
+    memory.moved_s = sight.time_s;
+    return {0.0, sight.forward};
+  }
   memory.goal = (memory.goal + 1) % count;
   memory.goal_since_s = -1.0;
   return head_for(sight, goal_of(memory.goal).position_m, memory);
@@ -140,6 +148,15 @@ double noise_deviation(double deviation, double distance_m, double sensor_m) {
 
 MotorCommand avoiding(const Sight& sight, glm::dvec2 wanted, Memory& memory) {
   const Percept& nearest = sight.nearest;
+  if (nearest.kind == Percept::Kind::kNothing || sight.moving_m_per_s > kMoves * sight.speed_m_per_s) memory.moved_s = sight.time_s;
+  if (sight.time_s - memory.moved_s > kHeldUpS && sight.time_s > memory.backs_off_until_s) {
+    memory.backs_off_until_s = sight.time_s + kBacksOffS;
+    memory.turn = -memory.turn;
+  }
+  if (sight.time_s < memory.backs_off_until_s) {
+    memory.moved_s = memory.turned_s = sight.time_s;
+    return {0.6 * sight.speed_m_per_s, -nearest.toward};
+  }
   const double share = std::clamp(nearest.distance_m / sight.sensor_m, 0.0, 1.0);
   const double facing = glm::dot(wanted, nearest.toward);
   if (nearest.kind == Percept::Kind::kNothing || facing <= 0.0) {

@@ -5,7 +5,7 @@
 // G03: v falls as an obstacle comes near; φ turns away from θ; Gaussian noise is added, less of it the nearer the obstacle.
 // The paper's σ ∝ 1/d would do the opposite of what it is for; here σ = σ₀ min(1, d/d_sensor).
 // Beyond the paper, walkers remember to which side they turn until they are free, so that corners do not turn them to and
-// fro, and a walker with a goal goes round what it met until it is nearer to the goal than where it met it (after the "bug"
+// fro; who is held up between several things, of which it sees the nearest alone, backs off; and a walker with a goal goes round what it met until it is nearer to the goal than where it met it (after the "bug"
 // algorithms of Lumelsky and Stepanov 1987), so that dead ends are left again.
 //
 // All by +, −, ×, ÷ and √.
@@ -46,6 +46,9 @@ struct Memory {
   double met_m = -1.0;         // how far from the goal it met what it goes round; negative: nothing
   double met_s = 0.0;          // when
 
+  double moved_s = 0.0;        // when it last came along
+  double backs_off_until_s = -1e9;
+
   bool operator==(const Memory&) const = default;
 };
 
@@ -54,6 +57,7 @@ struct Sight {
   double time_s = 0.0;
   glm::dvec2 position_m{0.0};
   glm::dvec2 forward{1.0, 0.0};  // unit
+  double moving_m_per_s = 0.0;   // how fast it is now
   Percept nearest;
   double sensor_m = 4.0;
   double speed_m_per_s = 1.3;  // canonical: of this walker when nothing is in its way

@@ -125,9 +125,12 @@ class Crowd::Neighbours {
     for (std::uint32_t n = 0; n < walkers.size(); ++n)
       entries_.push_back({key_of(plan_cell(walkers[n].position_m, cell_m_)), n});
     std::sort(entries_.begin(), entries_.end());
+    // Beside one another in memory, as they are looked at.
+    bodies_.reserve(entries_.size());
+    for (const Entry& entry : entries_) bodies_.push_back({walkers[entry.walker].position_m, traits[entry.walker].radius_m});
   }
 
-  /// Calls `visit(index)` for all whose bodies may be within the longest sensor range; in an order that depends on their
+  /// Calls `visit(index, body)` for all whose bodies may be within the longest sensor range; in an order that depends on their
   /// places alone.
   template <class Visitor>
   void for_near(glm::dvec2 position_m, Visitor visit) const {
@@ -135,7 +138,8 @@ class Crowd::Neighbours {
     for (int j = here.j - 1; j <= here.j + 1; ++j) {
       const std::int64_t last = key_of({here.i + 1, j});
       auto at = std::lower_bound(entries_.begin(), entries_.end(), Entry{key_of({here.i - 1, j}), 0});
-      for (; at != entries_.end() && at->key <= last; ++at) visit(at->walker);
+      for (; at != entries_.end() && at->key <= last; ++at)
+        visit(at->walker, bodies_[static_cast<std::size_t>(at - entries_.begin())]);
     }
   }
 
@@ -147,6 +151,7 @@ class Crowd::Neighbours {
   };
   double cell_m_ = 1.0, widest_m_ = 0.0;
   std::vector<Entry> entries_;
+  std::vector<Disc> bodies_;  // of the entries
 };
 
 Crowd::Crowd(const Gait& gait) : obstacles_({}, 1.0), gait_(gait) {}
@@ -233,8 +238,8 @@ Percept Crowd::perceived(std::size_t index, const Neighbours& neighbours, std::s
   const WalkerTraits& traits = traits_[index];
   const Disc body{walkers_[index].position_m, traits.radius_m};
   Percept nearest{Percept::Kind::kNothing, traits.sensor_m, walkers_[index].forward};
-  neighbours.for_near(body.centre_m, [&](std::uint32_t other) {
-    if (other != index) nearer(between(body, {walkers_[other].position_m, traits_[other].radius_m}), Percept::Kind::kWalker, nearest);
+  neighbours.for_near(body.centre_m, [&](std::uint32_t other, const Disc& there) {
+    if (other != index) nearer(between(body, there), Percept::Kind::kWalker, nearest);
   });
   for (const std::uint32_t n : obstacles_.near(body.centre_m)) {
     if (is_beyond(obstacles_.box(n), body.centre_m, body.radius_m + nearest.distance_m)) continue;
@@ -263,6 +268,7 @@ MotorCommand Crowd::decided(std::size_t index, const Percept& nearest, double ti
   sight.time_s = time_s;
   sight.position_m = walker.position_m;
   sight.forward = walker.forward;
+  sight.moving_m_per_s = walker.speed_m_per_s;
   sight.nearest = nearest;
   sight.sensor_m = traits.sensor_m;
   sight.speed_m_per_s = traits.speed_m_per_s;
@@ -309,9 +315,9 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
     limits[count++] = {toward, room_m};
   };
   if (nearest.distance_m < reach_m) {
-    neighbours.for_near(body.centre_m, [&](std::uint32_t other) {
+    neighbours.for_near(body.centre_m, [&](std::uint32_t other, const Disc& there) {
       if (other == index) return;
-      const PlanDistance found = between(body, {walkers_[other].position_m, traits_[other].radius_m});
+      const PlanDistance found = between(body, there);
       if (found.distance_m < reach_m) limit(found.toward, 0.5 * (found.distance_m - kSkinM));
     });
     for (const std::uint32_t n : obstacles_.near(body.centre_m)) {

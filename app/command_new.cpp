@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "agents/crowd_spec.h"
 #include "app/commands.h"
 #include "app/messages.h"
 #include "app/new_scene.h"

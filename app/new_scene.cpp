@@ -111,7 +111,9 @@ void write_example(const NewSceneRequest& request) {
   files.write(kExampleFescueFile, std::span<const std::byte>(encoded(meadow.fescue_per_m2)));
   files.write(kExampleOatgrassFile, std::span<const std::byte>(encoded(meadow.oatgrass_per_m2)));
   files.write(kExampleBladeHeightFile, std::span<const std::byte>(encoded(meadow.blade_height)));
-  files.finish(example_scene_text(request.seed, meadow));
+  const GridFrame& frame = meadow.ground_m.frame();
+  const glm::dvec2 extent_m = frame.spacing_m * glm::dvec2(frame.columns - 1, frame.rows - 1);
+  files.finish(example_scene_text(request.seed, meadow) + walkers_text(request.walkers, meadow.cameras.front(), extent_m));
 }
 
 // The stem says what the raster is; the suffix, which readers go by, stays if it is a plain one.

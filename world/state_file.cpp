@@ -29,7 +29,7 @@ constexpr std::size_t kMotionBytes = 24 * 4;
 constexpr std::size_t kCellBytes = 4 * 4;
 constexpr std::size_t kBladeBytes = 4 + kMotionBytes + 2 * 12 * 4 + 3 * 4;
 constexpr std::size_t kFootBytes = 6 * 8 + 4;
-constexpr std::size_t kWalkerBytes = 5 * 8 + 3 * 8 + 2 * kFootBytes + 4 + 8 + 4 + 3 * 8;
+constexpr std::size_t kWalkerBytes = 5 * 8 + 3 * 8 + 2 * kFootBytes + 4 + 8 + 4 + 5 * 8;
 constexpr std::size_t kSettingsBytes = 3 * 8 + 6 * 4;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
@@ -78,7 +78,8 @@ class Writer {
       put(foot.share, foot.lift_phase);
     }
     const Memory& memory = walker.memory;
-    put(memory.turn, memory.turned_s, memory.goal, memory.goal_since_s, memory.met_m, memory.met_s);
+    put(memory.turn, memory.turned_s, memory.goal, memory.goal_since_s, memory.met_m, memory.met_s, memory.moved_s,
+        memory.backs_off_until_s);
   }
 
   std::vector<std::byte> take() { return std::move(bytes_); }
@@ -160,7 +161,7 @@ class Reader {
     memory.turn = number<std::int32_t>();
     memory.turned_s = number<double>();
     memory.goal = number<std::int32_t>();
-    for (double* value : {&memory.goal_since_s, &memory.met_m, &memory.met_s}) *value = number<double>();
+    for (double* value : {&memory.goal_since_s, &memory.met_m, &memory.met_s, &memory.moved_s, &memory.backs_off_until_s}) *value = number<double>();
     return walker;
   }
 

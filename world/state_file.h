@@ -22,7 +22,8 @@
 //   sway         0 or 1 (32 bits); for 1: count (64 bits) of motions; each: turns and rates of its four segments (24 floats)
 //   walkers      count (64 bits); each: place x, y, forward x, y, speed (double); its footing: scale, phase, speed (double), of
 //                the left and the right foot place x, y, forward x, y (double), planted 0 or 1 (32 bits), share, lift_phase
-//                (double); its memory: turn (int32), turned_s (double), goal (int32), goal_since_s, met_m, met_s (double)
+//                (double); its memory: turn (int32), turned_s (double), goal (int32), goal_since_s, met_m, met_s, moved_s, backs_off_until_s
+//                (double)
 //   touched      count (64 bits) of cells; each: tile i, j (int32), cell, count (32 bits) of blades; each: index (32 bits),
 //                motion (24 floats), rest, offset (12 floats each), rise (float), near_steps, fades (int32)
 //

@@ -229,9 +229,9 @@ TEST(StateFileTest, SaysWhatIsWrong) {
   says(scene, "found no state, expected a file that --save-state wrote");
 
   Bytes newer = calm_state();
-  put_little_endian(std::span(newer).subspan(8, 4), std::uint32_t{2});
+  put_little_endian(std::span(newer).subspan(8, 4), std::uint32_t{3});
   seal_state(newer);
-  says(newer, "version 2, of a newer program");
+  says(newer, "version 3, of a newer program");
 
   World other(parse_scene(kMeadow, "folder", {"mover.stone.radius_m=0.3"}), {});
   other.step(kStepS);
@@ -252,7 +252,7 @@ class StateNumbers : public ::testing::Test {
     MotionState state = world_.motion().state();
     change(state);
     const std::string said =
-        refusal(world_, state_bytes(state, {world_.motion_hash(), world_.scene().treading}));
+        refusal(world_, state_bytes({state, {}}, {world_.motion_hash(), world_.scene().treading}));
     EXPECT_NE(said.find(std::string(": ") + field), std::string::npos) << said;
     EXPECT_NE(said.find(words), std::string::npos) << said;
   }
@@ -283,7 +283,7 @@ TEST_F(StateNumbers, Treads) {
 TEST_F(StateNumbers, SettingsOfTreading) {
   TreadSettings settings = world_.scene().treading;
   settings.recovery_s += 1.0;
-  const std::string said = refusal(world_, state_bytes(world_.motion().state(), {world_.motion_hash(), settings}));
+  const std::string said = refusal(world_, state_bytes({world_.motion().state(), {}}, {world_.motion_hash(), settings}));
   EXPECT_NE(said.find("treading: found recovery_s"), std::string::npos) << said;
 }
 
@@ -311,10 +311,10 @@ TEST_F(StateNumbers, Sway) {
   const StateOwner owner{windy_world.motion_hash(), windy_world.scene().treading};
   for (const float wrong : {9.0f, -9.0f}) {
     state.sway.value().motions[5000].turn.v3.y = wrong;
-    EXPECT_NE(refusal(windy_world, state_bytes(state, owner)).find("sway.turn"), std::string::npos);
+    EXPECT_NE(refusal(windy_world, state_bytes({state, {}}, owner)).find("sway.turn"), std::string::npos);
   }
   state.sway.value().motions[5000].turn.v3.y = kNan;
-  EXPECT_NE(refusal(windy_world, state_bytes(state, owner)).find("finite"), std::string::npos);
+  EXPECT_NE(refusal(windy_world, state_bytes({state, {}}, owner)).find("finite"), std::string::npos);
 }
 
 TEST_F(StateNumbers, TouchedBlades) {
