@@ -207,6 +207,7 @@ class Viewer {
   }
 
   void save_picture(const std::filesystem::path& name) {
+    perceive();
     const Picture picture = stage_->renderer.render(camera_.camera(), frame_options_, kScreenshotSamples);
     write_output(name, encoded_picture(picture, PictureFormat::kPng));
   }
