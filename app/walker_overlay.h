@@ -26,8 +26,8 @@ bool shows_paths(WalkerOverlay overlay);
 inline constexpr double kLineAboveGroundM = 0.05;
 inline constexpr std::size_t kCircleSegments = 36;
 
-/// Of the walkers nearest to the eye, at most kMostOverlaidWalkers. `percepts`: of all, as World::percepts() has them; those who
-/// replay tracks have none, and no circle.
+/// Of the walkers nearest to the eye, at most kMostOverlaidWalkers. `percepts`: of all, as World::percepts() has them;
+/// those who replay tracks have none, and no circle.
 std::vector<LineSegment> sensor_lines(const World& world, std::span<const Percept> percepts, glm::dvec3 eye_m);
 
 /// Up to where the same walkers are now, the older the fainter.

@@ -42,7 +42,10 @@ std::string walkers_line(const World& world) {
 std::string watched_walker_line(const World& world, std::size_t walker, std::span<const Percept> percepts) {
   const Walker& watched = world.walkers()[walker];
   std::string line = fmt::format("walker {}: {:.2f} m/s", walker, watched.speed_m_per_s);
-  if (world.replay()) return line + (world.is_present(walker) ? "   of a recorded track" : "   of a recorded track, not there now");
+  if (world.replay()) {
+    line += "   of a recorded track";
+    return world.is_present(walker) ? line : line + ", not there now";
+  }
   const Percept& nearest = percepts[walker];
   if (nearest.kind == Percept::Kind::kNothing) {
     line += fmt::format("   nothing within {:.1f} m", world.walker_traits()[walker].sensor_m);
@@ -50,8 +53,8 @@ std::string watched_walker_line(const World& world, std::size_t walker, std::spa
     line += fmt::format("   {}: d {:.2f} m, theta {:.0f} deg", kind_name(nearest.kind), nearest.distance_m,
                         glm::degrees(angle_to_percept_rad(nearest, watched.forward)));
   }
-  line += world.crowd().is_steered(walker) ? "   steered" : fmt::format("   {}", world.walker_traits()[walker].behaviour->name);
-  return line;
+  if (world.crowd().is_steered(walker)) return line + "   steered";
+  return line + fmt::format("   {}", world.walker_traits()[walker].behaviour->name);
 }
 
 }  // namespace prairie

@@ -11,7 +11,9 @@ layout(location = 1) uniform vec2 size_px;
 layout(location = 2) uniform float half_width_px;
 
 layout(location = 0) flat out vec4 line_color;
-layout(location = 1) noperspective out float across_px;
+// Pixels from the line's middle times w: times 1/w it is even across the screen. `noperspective` would say so as well, but
+// Mesa's clipper loses it on upright edges.
+layout(location = 1) out float across_px_w;
 
 void main() {
   LineParams line = lines[gl_VertexID / 6];
@@ -20,7 +22,7 @@ void main() {
   // Depth is reversed: z = w on the near plane, and w − z grows behind it.
   float start_behind = start.w - start.z, end_behind = end.w - end.z;
   line_color = line.color;
-  across_px = 0.0;
+  across_px_w = 0.0;
   gl_Position = vec4(2.0, 2.0, 0.0, 1.0);  // out of sight
   if (max(start_behind, end_behind) <= 0.0) return;
   if (start_behind < 0.0) start = mix(start, end, start_behind / (start_behind - end_behind));
@@ -32,7 +34,8 @@ void main() {
   int corners[6] = int[6](0, 1, 3, 0, 3, 2);
   int corner = corners[gl_VertexID % 6];
   float reach_px = half_width_px + 0.5;
-  across_px = corner / 2 == 0 ? -reach_px : reach_px;
+  float across_px = corner / 2 == 0 ? -reach_px : reach_px;
   gl_Position = corner % 2 == 0 ? start : end;
   gl_Position.xy += (2.0 * across_px * vec2(-along.y, along.x) / size_px + frame.jitter) * gl_Position.w;
+  across_px_w = across_px * gl_Position.w;
 }

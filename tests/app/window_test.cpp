@@ -70,6 +70,21 @@ TEST(WindowTest, WaitsWhileItIsHidden) {
   EXPECT_FALSE(window.poll());
 }
 
+TEST(WindowTest, CountsTheWheel) {
+  Window window({64, 48});
+  testing::WindowFromOutside outside;
+  ASSERT_TRUE(outside.is_there());
+  const auto turned = [&](bool mouse_is_taken) {
+    for (int n = 0; n < 3; ++n) outside.turn_wheel();
+    window.poll();
+    return window.steering(mouse_is_taken).wheel;
+  };
+  EXPECT_EQ(turned(false), 3.0);
+  EXPECT_EQ(window.steering(false).wheel, 0.0);
+  EXPECT_EQ(turned(true), 0.0);
+  EXPECT_EQ(window.steering(false).wheel, 0.0) << "what turned over the text is forgotten";
+}
+
 class ViewerTest : public ::testing::Test {
  protected:
   ViewerTest() { testing::write_small_scene(folder_ / "scene"); }
