@@ -71,6 +71,9 @@ void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       "heading, ; and ' its turbulence; B sends a gust, V a tornado; R lets a stone roll; C takes a cart, which\n"
       "the arrow keys drive, or leaves it; O shows the wind as arrows, then trodden grass as heat, then how far\n"
       "it is from having risen.\n"
+      "Of walkers, K watches the next one and J has the camera free, behind it or about it (dragging turns, wheel\n"
+      "or Q and E go nearer or farther); U takes it or gives it back: the arrow keys then walk, turn and stand,\n"
+      "shift walks fast; X shows what walkers perceive, their paths, both or neither.\n"
       "Examples:\n"
       "  prairie view examples/meadow\n"
       "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080");

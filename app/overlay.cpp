@@ -24,6 +24,9 @@ constexpr const char* kKeys =
     "T: tier   G: tint tiers   - =: quality   M: smooth edges   F12: picture   H: hide\n"
     "P: pause   N: step   [ ] , . ; ': wind   B: gust   V: tornado\n"
     "R: stone   C: cart   O: fields";
+constexpr const char* kWalkerKeys =
+    "K: watch the next walker   J: free, follow, orbit   X: what walkers perceive, paths\n"
+    "U: steer it or give it back   arrows, shift: walk, turn   wheel, QE: nearer, farther";
 constexpr const char* kCartKeys = "arrows: drive the cart";
 
 void line(const std::string& text) {
@@ -85,6 +88,12 @@ int key_buttons(const OverlayText& text) {
   button("fields", GLFW_KEY_O);
   button(text.has_cart ? "leave cart" : "cart", GLFW_KEY_C);
   ImGui::NewLine();
+  if (text.walkers.empty()) return pressed;
+  button("next walker", GLFW_KEY_K);
+  button("camera", GLFW_KEY_J);
+  button("steer", GLFW_KEY_U);
+  button("sensors and paths", GLFW_KEY_X);
+  ImGui::NewLine();
   return pressed;
 }
 
@@ -118,16 +127,18 @@ int Overlay::draw(const OverlayText& text, OverlaySliders& sliders) {
                    text.statistics.plan_ms, text.camera.size_px.x, text.camera.size_px.y, text.tier,
                    text.tinted ? ", tinted" : ""));
   statistics_lines(text.statistics);
-  line(fmt::format("{}   {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}", text.walks ? "walking" : "flying",
+  line(fmt::format("{}   {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}", text.movement,
                    text.camera.eye_m.x, text.camera.eye_m.y, text.camera.eye_m.z,
                    glm::degrees(text.camera.yaw_rad), glm::degrees(text.camera.pitch_rad)));
   line(fmt::format("{:.2f} s{}   step {:.1f} ms   {} blades touched", text.time_s, text.paused ? ", paused" : "",
                    text.steps_ms, grouped(text.touched_blades)));
+  if (!text.walkers.empty()) line(text.walkers);
   quality_slider(sliders.quality);
   wind_sliders(sliders.wind);
   const int pressed = key_buttons(text);
   if (text.field != FieldOverlay::kNone) line(fmt::format("field: {}", overlay_name(text.field)));
   line(text.notice.empty() ? kKeys : text.notice);
+  if (text.notice.empty() && !text.walkers.empty()) line(kWalkerKeys);
   if (text.has_cart) line(kCartKeys);
   ImGui::End();
   ImGui::Render();

@@ -18,7 +18,7 @@ struct OverlayText {
   double frame_ms = 0.0;
   FrameStatistics statistics;
   Camera camera;
-  bool walks = false;
+  std::string movement;  // of the camera, such as "flying"
   std::string tier;
   bool tinted = false;
   double time_s = 0.0;
@@ -27,6 +27,7 @@ struct OverlayText {
   double steps_ms = 0.0;           // of the last frame
   bool has_cart = false;
   FieldOverlay field = FieldOverlay::kNone;
+  std::string walkers;  // lines about them; none where nobody walks
   std::string notice;  // such as the name of the last screenshot
 };
 

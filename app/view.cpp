@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/fly_camera.h"
 #include "app/frame_keys.h"
 #include "app/frame_times.h"
 #include "app/installed_files.h"
@@ -21,6 +20,11 @@
 #include "app/picture_file.h"
 #include "app/play.h"
 #include "app/screenshot_name.h"
+#include "app/walker_camera.h"
+#include "app/walker_overlay.h"
+#include "app/walker_steering.h"
+#include "app/walker_text.h"
+#include "app/walker_trails.h"
 #include "app/window.h"
 #include "maps/error.h"
 #include "render/graphics_reset.h"
@@ -45,7 +49,12 @@ struct Stage {
 class Viewer {
  public:
   Viewer(World& world, const Camera& start, const ViewerOptions& options)
-      : world_(world), options_(options), fly_camera_(start, world.meadow().ground), play_(world, options.paused) {
+      : world_(world),
+        options_(options),
+        camera_(start, world, options.follow),
+        steering_(world),
+        play_(world, options.paused) {
+    if (options.walker_overlay) walker_overlay_ = WalkerOverlay::kBoth;
     frame_options_.tier = options.tier;
     frame_options_.msaa = options.msaa;
     frame_options_.quality = world.scene().lod.quality;
@@ -64,11 +73,11 @@ class Viewer {
       if (!stage_->window.can_be_seen()) continue;
       if (frames > 0) frame_times_.add(passed.count() * 1000.0);
       const bool mouse_is_taken = overlay_shown_ && stage_->overlay.wants_mouse();
-      fly_camera_.resize(stage_->window.framebuffer_size_px());
-      fly_camera_.move(stage_->window.steering(mouse_is_taken), std::min(passed.count(), kLongestStepS),
-                       world_.meadow().ground);
+      const Steering steering = stage_->window.steering(mouse_is_taken);
+      camera_.resize(stage_->window.framebuffer_size_px());
+      camera_.move(steering, std::min(passed.count(), kLongestStepS), world_);
       for (const int key : std::exchange(keys_, {})) press(key);
-      play_.advance(passed.count(), stage_->window.cart_controls(), fly_camera_.camera());
+      advance(passed.count(), steering.fast);
       try {
         draw();
         if (screenshot_wanted_) take_screenshot();
@@ -100,18 +109,55 @@ class Viewer {
     say_warning(notice_);
   }
 
+  /// The arrow keys are the steered walker's, the cart's while there is none.
+  void advance(double passed_s, bool fast) {
+    const CartControls arrows = stage_->window.cart_controls();
+    steering_.steer({arrows.drive, arrows.steer, fast});
+    play_.advance(passed_s, steering_.steered() ? CartControls{} : arrows, camera_.camera());
+    trails_.follow(world_, camera_.camera().eye_m);
+  }
+
   void draw() {
-    const FrameStatistics statistics = stage_->renderer.draw(fly_camera_.camera(), frame_options_, 0);
+    perceive();
+    const FrameStatistics statistics = stage_->renderer.draw(camera_.camera(), frame_options_, 0);
     if (overlay_shown_) show_overlay(statistics);
     stage_->window.show_frame();
+  }
+
+  /// What this frame shows of the walkers.
+  void perceive() {
+    const glm::dvec3 eye_m = camera_.camera().eye_m;
+    const bool told = overlay_shown_ && camera_.watched();
+    percepts_.clear();
+    lines_.clear();
+    if (told || shows_sensors(walker_overlay_)) percepts_ = world_.percepts();
+    if (shows_paths(walker_overlay_)) lines_ = path_lines(world_, trails_, eye_m);
+    if (shows_sensors(walker_overlay_)) {
+      const std::vector<LineSegment> sensors = sensor_lines(world_, percepts_, eye_m);
+      lines_.insert(lines_.end(), sensors.begin(), sensors.end());
+    }
+    frame_options_.lines = lines_;
+  }
+
+  std::string walkers_text() const {
+    std::string text = walkers_line(world_);
+    if (text.empty()) return text;
+    if (walker_overlay_ != WalkerOverlay::kNone) text += std::string("   ") + walker_overlay_name(walker_overlay_);
+    if (camera_.watched()) text += "\n" + watched_walker_line(world_, *camera_.watched(), percepts_);
+    return text;
+  }
+
+  std::string movement_text() const {
+    if (camera_.mode() != CameraMode::kFree) return camera_mode_name(camera_.mode());
+    return camera_.walks() ? "walking" : "flying";
   }
 
   void show_overlay(const FrameStatistics& statistics) {
     OverlayText text;
     text.frame_ms = frame_times_.median_ms();
     text.statistics = statistics;
-    text.camera = fly_camera_.camera();
-    text.walks = fly_camera_.walks();
+    text.camera = camera_.camera();
+    text.movement = movement_text();
     text.tier = tier_name(frame_options_.tier);
     text.tinted = frame_options_.tier_tint;
     text.time_s = world_.time_s();
@@ -120,6 +166,7 @@ class Viewer {
     text.steps_ms = play_.steps_ms();
     text.has_cart = play_.has_cart();
     text.field = frame_options_.field_overlay;
+    text.walkers = walkers_text();
     text.notice = notice_;
     OverlaySliders sliders{frame_options_.quality.value(), play_.wind()};
     if (const int key = stage_->overlay.draw(text, sliders); key != 0) keys_.push_back(key);
@@ -130,11 +177,20 @@ class Viewer {
   void press(int key) {
     notice_.clear();
     apply_frame_key(key, frame_options_);
-    play_.press(key, fly_camera_.camera());
+    play_.press(key, camera_.camera());
+    press_for_walkers(key);
     if (key == GLFW_KEY_ESCAPE) stage_->window.close();
-    if (key == GLFW_KEY_F) fly_camera_.toggle_walking(world_.meadow().ground);
+    if (key == GLFW_KEY_F) camera_.toggle_walking(world_.meadow().ground);
     if (key == GLFW_KEY_H) overlay_shown_ = !overlay_shown_;
     if (key == GLFW_KEY_F12) screenshot_wanted_ = true;
+  }
+
+  void press_for_walkers(int key) {
+    if (key == GLFW_KEY_J) camera_.change_mode(world_);
+    if (key == GLFW_KEY_K) camera_.watch_next(world_);
+    if (key == GLFW_KEY_U) notice_ = steering_.toggle(camera_.watched());
+    if (key == GLFW_KEY_X) walker_overlay_ = next_walker_overlay(walker_overlay_);
+    steering_.keep_only(camera_.watched());
   }
 
   void take_screenshot() {
@@ -151,13 +207,19 @@ class Viewer {
   }
 
   void save_picture(const std::filesystem::path& name) {
-    const Picture picture = stage_->renderer.render(fly_camera_.camera(), frame_options_, kScreenshotSamples);
+    perceive();
+    const Picture picture = stage_->renderer.render(camera_.camera(), frame_options_, kScreenshotSamples);
     write_output(name, encoded_picture(picture, PictureFormat::kPng));
   }
 
   World& world_;
   const ViewerOptions& options_;
-  FlyCamera fly_camera_;
+  WalkerCamera camera_;
+  WalkerSteering steering_;
+  WalkerTrails trails_;
+  WalkerOverlay walker_overlay_ = WalkerOverlay::kNone;
+  std::vector<Percept> percepts_;   // of this frame, where anything shows them
+  std::vector<LineSegment> lines_;  // of this frame
   Play play_;
   FrameOptions frame_options_;
   FrameTimes frame_times_;

@@ -1,6 +1,7 @@
 // The viewer: a window in which a person flies over the meadow or walks through it while it moves, and plays with it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
@@ -16,6 +17,8 @@ struct ViewerOptions {
   Tier tier = Tier::kAuto;
   bool msaa = false;
   bool paused = false;  // at first
+  std::optional<std::size_t> follow;  // the walker that the camera follows at first; nobody where there is no such walker
+  bool walker_overlay = false;        // what walkers perceive and their paths are shown at first
   std::uint64_t memory_budget_bytes = 0;            // for what a frame plans
   std::optional<int> frames;                        // closes itself after so many, of those that are seen
   std::optional<std::filesystem::path> screenshot;  // of the last of those frames

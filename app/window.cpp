@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <string>
+#include <utility>
 
 #include "maps/error.h"
 
@@ -58,6 +59,7 @@ Window::Window(glm::ivec2 size_px) {
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(handle_, this);
   glfwSetKeyCallback(handle_, pass_key_on);
+  glfwSetScrollCallback(handle_, count_wheel);
 }
 
 Window::~Window() {
@@ -99,6 +101,10 @@ void Window::show_frame() {
   glfwSwapBuffers(handle_);
 }
 
+void Window::count_wheel(GLFWwindow* handle, double, double notches) {
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->wheel_ += notches;
+}
+
 Steering Window::steering(bool mouse_is_taken) {
   Steering steering;
   steering.forward = axis(handle_, GLFW_KEY_W, GLFW_KEY_S);
@@ -118,6 +124,8 @@ Steering Window::steering(bool mouse_is_taken) {
     steering.turn_right_px = cursor_px.x - cursor_px_.x;
     steering.turn_up_px = cursor_px_.y - cursor_px.y;
   }
+  const double notches = std::exchange(wheel_, 0.0);
+  if (!mouse_is_taken) steering.wheel = notches;
   dragging_ = drags;
   cursor_px_ = cursor_px;
   return steering;

@@ -36,10 +36,10 @@ class Window {
   void close();
   void show_frame();
 
-  /// What the held keys and the dragged mouse ask for since the last call. Where `mouse_is_taken`, by what
-  /// lies over the picture, no new drag begins.
+  /// What the held keys, the dragged mouse and its wheel ask for since the last call. Where `mouse_is_taken`, by what
+  /// lies over the picture, no new drag begins and the wheel turns nothing.
   Steering steering(bool mouse_is_taken);
-  /// What the held arrow keys ask of a cart.
+  /// What the held arrow keys ask of a cart or a walker.
   CartControls cart_controls() const;
 
  private:
@@ -48,10 +48,13 @@ class Window {
     ~Library();
   };
 
+  static void count_wheel(GLFWwindow* handle, double aside, double notches);
+
   Library library_;
   GLFWwindow* handle_ = nullptr;
   bool dragging_ = false;
   glm::dvec2 cursor_px_{0.0};
+  double wheel_ = 0.0;  // since the last call of steering()
 };
 
 }  // namespace prairie

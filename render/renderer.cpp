@@ -15,6 +15,7 @@
 #include "render/gpu_timer.h"
 #include "render/ground_pass.h"
 #include "render/light.h"
+#include "render/line_pass.h"
 #include "render/mover_look.h"
 #include "render/moving_fields.h"
 #include "render/noise_texture.h"
@@ -77,6 +78,7 @@ struct Renderer::Passes {
         walkers(shader_folder),
         sky(shader_folder),
         field_overlay(shader_folder),
+        lines(shader_folder),
         tone_program(make_program(shader_folder, {"pass/screen.vert", "pass/tone.frag"})),
         no_vertices(make_vertex_array()) {
     frame = frame_params(the_world, FramePlan{}, GroundLook{}, FieldLook{});
@@ -133,6 +135,7 @@ struct Renderer::Passes {
     obstacles.prepare(plan.camera);
     walkers.prepare(stream, looks, plan.camera, frame.strip_height_m);
     field_overlay.prepare(stream, *world, plan.camera.eye_m, options.field_overlay);
+    lines.prepare(stream, options.lines, plan.camera);
     statistics.spline.triangles = blades.spline_triangles();
     statistics.hermite.triangles = blades.hermite_triangles();
     statistics.strip = {plan.blades_in_strips, strips.triangles()};
@@ -180,6 +183,7 @@ struct Renderer::Passes {
     sky.draw(plan.camera);
     timers.sky.end();
     field_overlay.draw();
+    lines.draw();
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
@@ -216,6 +220,7 @@ struct Renderer::Passes {
   GlTexture noise_texture = make_noise_texture();
   SkyPass sky;
   FieldOverlayPass field_overlay;
+  LinePass lines;
   GlProgram tone_program;
   GlVertexArray no_vertices;
   FrameParams frame{};

@@ -16,6 +16,7 @@
 #include "lod/frame_plan.h"
 #include "lod/quality.h"
 #include "render/field_overlay.h"
+#include "render/line_segment.h"
 #include "render/stage_time.h"
 #include "render/walker_look.h"
 #include "world/world.h"
@@ -47,6 +48,7 @@ struct FrameOptions {
   bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
   FieldOverlay field_overlay = FieldOverlay::kNone;
   std::span<const WalkerLook> walkers = {};  // drawn besides the world's; not owned
+  std::span<const LineSegment> lines = {};   // drawn over the picture; not owned
 };
 
 struct Picture {

@@ -26,6 +26,7 @@ using uint = glm::uint;
 #include "shaders/shared/field_overlay.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/grown_vertex.glsl"
+#include "shaders/shared/line.glsl"
 #include "shaders/shared/strip_tile.glsl"
 #include "shaders/shared/strip_vertex.glsl"
 #include "shaders/shared/solid.glsl"
@@ -44,6 +45,7 @@ using layouts::DrawnCell;
 using layouts::FrameParams;
 using layouts::GrownVertex;
 using layouts::HeatSquare;
+using layouts::LineParams;
 using layouts::LodCoefficients;
 using layouts::PlantedCell;
 using layouts::SolidParams;
@@ -67,6 +69,8 @@ static_assert(offsetof(FrameParams, anchor_m) == 240);
 static_assert(offsetof(FrameParams, lod) == 304);
 static_assert(sizeof(HeatSquare) == 48);
 static_assert(offsetof(HeatSquare, heat) == 32);
+static_assert(sizeof(LineParams) == 48);
+static_assert(offsetof(LineParams, color) == 32);
 static_assert(sizeof(LodCoefficients) == 64);
 static_assert(sizeof(GrownVertex) == kTexelBytes);
 static_assert(sizeof(StripTile) == kTexelBytes * layouts::kStripTileTexels);

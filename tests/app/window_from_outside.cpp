@@ -43,6 +43,18 @@ void WindowFromOutside::hold(unsigned long symbol) {
   send_key(KeyPress, symbol);
 }
 
+void WindowFromOutside::turn_wheel() {
+  XEvent event{};
+  event.xbutton.type = ButtonPress;
+  event.xbutton.display = display_;
+  event.xbutton.window = window_;
+  event.xbutton.root = DefaultRootWindow(display_);
+  event.xbutton.same_screen = True;
+  event.xbutton.button = Button4;
+  XSendEvent(display_, window_, False, ButtonPressMask, &event);
+  XSync(display_, False);
+}
+
 void WindowFromOutside::close() {
   XEvent event{};
   event.xclient.type = ClientMessage;

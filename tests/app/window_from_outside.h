@@ -22,6 +22,8 @@ class WindowFromOutside {
   void press(unsigned long symbol);
   /// Presses a key and holds it.
   void hold(unsigned long symbol);
+  /// Turns the mouse wheel by a notch away from the person.
+  void turn_wheel();
   /// Asks the program to close it, as the cross in a window's frame does.
   void close();
 

@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -34,6 +36,12 @@ using Clock = std::chrono::steady_clock;
 
 // X's symbols, whose header defines macros.
 constexpr unsigned long kEscape = 0xff1b, kLeft = 0xff51, kUp = 0xff52;
+
+/// Two walkers in sight of the camera, the first straight ahead.
+constexpr const char* kWalkers = R"([[walkers]]
+name = "two"
+starts_m = [[8, 10], [12, 9]]
+)";
 
 double cpu_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -60,6 +68,21 @@ TEST(WindowTest, WaitsWhileItIsHidden) {
   EXPECT_TRUE(window.can_be_seen());
   window.close();
   EXPECT_FALSE(window.poll());
+}
+
+TEST(WindowTest, CountsTheWheel) {
+  Window window({64, 48});
+  testing::WindowFromOutside outside;
+  ASSERT_TRUE(outside.is_there());
+  const auto turned = [&](bool mouse_is_taken) {
+    for (int n = 0; n < 3; ++n) outside.turn_wheel();
+    window.poll();
+    return window.steering(mouse_is_taken).wheel;
+  };
+  EXPECT_EQ(turned(false), 3.0);
+  EXPECT_EQ(window.steering(false).wheel, 0.0);
+  EXPECT_EQ(turned(true), 0.0);
+  EXPECT_EQ(window.steering(false).wheel, 0.0) << "what turned over the text is forgotten";
 }
 
 class ViewerTest : public ::testing::Test {
@@ -96,6 +119,11 @@ class ViewerTest : public ::testing::Test {
       for (const unsigned long key : keys) window.press(key);
     });
     return world;
+  }
+
+  /// The scene with two walkers.
+  World walking_world() const {
+    return World(parse_scene(testing::small_scene_toml() + kWalkers, folder_ / "scene", {}), {});
   }
 
   /// What the window then shows.
@@ -170,6 +198,50 @@ TEST_F(ViewerTest, OverlaysChangeThePicture) {
   EXPECT_NE(tilt, plain);
   EXPECT_NE(picture_after(trodden, 3), tilt);
   EXPECT_EQ(picture_after(trodden, 4), plain);
+}
+
+TEST_F(ViewerTest, ArrowKeysSteerTheWatchedWalker) {
+  World world = walking_world();
+  const glm::dvec2 start_m = world.walkers()[0].position_m, forward = world.walkers()[0].forward;
+  ViewerOptions options;
+  options.paused = true;
+  view(world, options, [](testing::WindowFromOutside& window) {
+    window.hold(kUp);
+    for (const char key : std::string("ckunnnnnnnnnnnnnnnnnnnn")) window.press(static_cast<unsigned long>(key));
+    std::this_thread::sleep_for(1s);  // until the first steps see that up is held
+    for (const char key : std::string("nnnnnnnnnnnnnnnnnnnn")) window.press(static_cast<unsigned long>(key));
+  });
+  const glm::dvec2 way_m = world.walkers()[0].position_m - start_m;
+  EXPECT_GT(glm::dot(way_m, forward), 0.3);
+  EXPECT_NEAR(glm::dot(glm::normalize(way_m), forward), 1.0, 1e-6);
+  ASSERT_EQ(world.driven().size(), 1u);
+  EXPECT_EQ(world.driven()[0].rolled_m, 0.0) << "the cart has no keys meanwhile";
+  EXPECT_FALSE(world.crowd().is_steered(0)) << "given back at the end";
+}
+
+TEST_F(ViewerTest, TheCameraFollowsAndLinesShow) {
+  const auto picture = [&](const std::string& keys, std::optional<std::size_t> follow, bool overlay) {
+    World world = walking_world();
+    ViewerOptions options;
+    options.paused = true;
+    options.follow = follow;
+    options.walker_overlay = overlay;
+    options.screenshot = folder_ / "seen.png";
+    view(world, options, [&](testing::WindowFromOutside& window) {
+      for (const char key : keys) window.press(static_cast<unsigned long>(key));
+    });
+    std::ifstream file(folder_ / "seen.png", std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  const std::string plain = picture("", {}, false), followed = picture("", 0, false);
+  EXPECT_FALSE(plain.empty());
+  EXPECT_NE(followed, plain);
+  EXPECT_NE(picture("", 1, false), followed);
+  EXPECT_EQ(picture("jj", 0, false), followed) << "free, the camera stays where it is";
+  const std::string sensors = picture("x", 0, false), both = picture("", 0, true);
+  EXPECT_NE(sensors, followed);
+  EXPECT_EQ(both, sensors) << "nobody has walked yet";
+  EXPECT_EQ(picture("xxxx", 0, false), followed);
 }
 
 TEST_F(ViewerTest, EscapeEndsIt) {
