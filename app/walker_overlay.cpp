@@ -60,7 +60,8 @@ glm::vec4 path_color(double age_s) {
   return color;
 }
 
-/// Pieces of the paths of those shown who are in both samples. A walker is never far from its last sample: pieces are straight.
+/// Pieces of the paths of those shown who are in both samples. A walker is never far from its last sample: pieces are
+/// straight.
 void add_pieces(std::span<const WalkerTrails::Place> from, std::span<const WalkerTrails::Place> to, glm::vec4 color,
                 std::span<const std::uint32_t> shown, std::vector<LineSegment>& lines) {
   constexpr glm::dvec3 kAbove(0.0, 0.0, kLineAboveGroundM);

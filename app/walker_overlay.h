@@ -1,8 +1,8 @@
-// What walkers perceive and where they were, as lines over the picture (G03 fig. 5): around each a red circle as far as its
-// sensor reaches, a red line to the nearest obstacle inside it, and its path of the last minute. No OpenGL.
+// What walkers perceive and where they were, as lines over the picture (G03 fig. 5): around each a red circle as far as
+// its sensor reaches, a red line to the nearest obstacle inside it, and its path of the last minute. No OpenGL.
 //
-// A sensor measures from edge to edge, so the circle is a sensor range away from the body's edge. Lines lie 5 cm above the
-// ground and follow it.
+// A sensor measures from edge to edge, so the circle is a sensor range away from the body's edge. Lines lie 5 cm above
+// the ground and follow it.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -7,8 +7,8 @@
 namespace prairie {
 namespace {
 
-// Cosine and sine of the angle to where a turning walker is told to look, some 53°: wide enough to turn at full rate, and it
-// still walks while it turns.
+// Cosine and sine of the angle to where a turning walker is told to look, some 53°: wide enough to turn at full rate,
+// and it still walks while it turns.
 constexpr double kAhead = 0.6, kAside = 0.8;
 
 }  // namespace

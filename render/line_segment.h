@@ -9,7 +9,7 @@ namespace prairie {
 struct LineSegment {
   glm::dvec3 from_m{0.0};
   glm::dvec3 to_m{0.0};
-  glm::vec4 color{1.0f};  // linear, as seen whatever the light and the exposure, and how much of it covers what is behind
+  glm::vec4 color{1.0f};  // linear, the same in any light and exposure; alpha: its cover
 
   bool operator==(const LineSegment&) const = default;
 };

@@ -1,6 +1,6 @@
 #version 450 core
-// A corner of a line's strip on the screen (render/line_pass.h): what lies before the near plane is cut off, and half the width
-// and half a pixel more, over which the edge fades, are laid to each side.
+// A corner of a line's strip on the screen (render/line_pass.h): what lies before the near plane is cut off, and half
+// the width and half a pixel more, over which the edge fades, are laid to each side.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/shared/line.glsl"
 #include "shaders/pass/frame_block.glsl"
@@ -11,8 +11,8 @@ layout(location = 1) uniform vec2 size_px;
 layout(location = 2) uniform float half_width_px;
 
 layout(location = 0) flat out vec4 line_color;
-// Pixels from the line's middle times w: times 1/w it is even across the screen. `noperspective` would say so as well, but
-// Mesa's clipper loses it on upright edges.
+// Pixels from the line's middle times w: times 1/w it is even across the screen. `noperspective` would say so as well,
+// but Mesa's clipper loses it on upright edges.
 layout(location = 1) out float across_px_w;
 
 void main() {

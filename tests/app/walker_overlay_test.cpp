@@ -137,7 +137,8 @@ TEST(WalkerTrails, HoldTheNearestAlone) {
   }
   for (const WalkerTrails::Sample& sample : trails.samples()) EXPECT_EQ(sample.places.size(), kMostOverlaidWalkers);
   // Whoever was out of a sample has no piece that skips it.
-  for (const LineSegment& line : path_lines(world, trails, kEyeM)) EXPECT_LT(glm::distance(line.from_m, line.to_m), 1.3);
+  for (const LineSegment& line : path_lines(world, trails, kEyeM))
+    EXPECT_LT(glm::distance(line.from_m, line.to_m), 1.3);
 }
 
 TEST(WalkerOverlay, CyclesThroughAll) {

@@ -1,5 +1,5 @@
-// Lines over the picture: they are where they should be and as wide, what comes from behind the eye is cut off, and nothing
-// but colours changes.
+// Lines over the picture: they are where they should be and as wide, what comes from behind the eye is cut off, and
+// nothing but colours changes.
 #include "render/line_pass.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ constexpr glm::vec4 kRed(0.9f, 0.0f, 0.0f, 1.0f);
 class LinePassTest : public HeadlessTest {
  protected:
   /// Which pixels differ between a picture with and one without the lines.
-  std::vector<bool> changed(Renderer& renderer, const Camera& camera, std::span<const LineSegment> lines, bool msaa = false) {
+  std::vector<bool> changed(Renderer& renderer, const Camera& camera, std::span<const LineSegment> lines,
+                            bool msaa = false) {
     FrameOptions options;
     options.msaa = msaa;
     const Picture plain = renderer.render(camera, options, 1);
