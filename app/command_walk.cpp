@@ -52,6 +52,7 @@ struct WalkOptions {
   std::filesystem::path record, trajectories, replay, gait, path;
   std::optional<ReplayPlace> replay_at;
   std::string camera = kDefaultCamera;
+  bool asks_for_camera = false;
   StateOptions state;
   std::optional<double> start_s;
   int frames_per_s = 30;
@@ -171,6 +172,9 @@ int walk(const WalkOptions& options, const GlobalOptions& globals) {
   load_asked_state(options.state, world);
   advance_to_asked_time(options.start_s, world);
   ViewerOptions viewer = options.viewer;
+  // Whoever asks for a camera looks through it; else the first walker is followed.
+  if (!options.asks_for_camera) viewer.follow = 0;
+  viewer.walker_overlay = true;
   viewer.tier = options.tier;
   viewer.memory_budget_bytes = globals.max_memory_bytes;
   view_world(world, placed_camera(camera_option(options.camera, world), world, options.size_px), viewer);
@@ -233,7 +237,10 @@ void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       "  prairie walk examples/walkers --duration 60 --trajectories walk.csv\n"
       "  prairie walk examples/walkers --record walk.mp4 --duration 8 --samples 4\n"
       "  prairie walk examples/walkers --replay obsmat.txt --replay-at 60,40,90 --duration 120 --save-state end.state");
-  command->callback([options, &globals, &chosen] { chosen = [options, &globals] { return walk(*options, globals); }; });
+  command->callback([options, camera, &globals, &chosen] {
+    options->asks_for_camera = camera->count() > 0;
+    chosen = [options, &globals] { return walk(*options, globals); };
+  });
 }
 
 }  // namespace prairie

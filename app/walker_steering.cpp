@@ -31,7 +31,7 @@ std::string WalkerSteering::toggle(std::optional<std::size_t> watched) {
     return "the walker decides for itself again";
   }
   if (!watched) return "K watches a walker; then U takes it";
-  if (world_.replay()) return "walkers of recorded tracks cannot be steered";
+  if (world_.replayed()) return "walkers of recorded tracks cannot be steered";
   steered_ = watched;
   steer({});
   return fmt::format("arrows steer walker {}; U gives it back", *steered_);

@@ -42,7 +42,7 @@ std::string walkers_line(const World& world) {
 std::string watched_walker_line(const World& world, std::size_t walker, std::span<const Percept> percepts) {
   const Walker& watched = world.walkers()[walker];
   std::string line = fmt::format("walker {}: {:.2f} m/s", walker, watched.speed_m_per_s);
-  if (world.replay()) {
+  if (world.replayed()) {
     line += "   of a recorded track";
     return world.is_present(walker) ? line : line + ", not there now";
   }
