@@ -7,7 +7,8 @@
 namespace prairie {
 namespace {
 
-constexpr double kHalfSoleWidthM = 0.06;
+// A shoe, and the shin above it, push aside more than they stand on.
+constexpr double kPressedRadiusM = 0.11;
 constexpr double kRolledAt = 0.3;      // share of the stance at which all of the sole has pressed
 constexpr double kStandsBelow = 0.05;  // m/s
 
@@ -22,9 +23,9 @@ void add_foot_treads(const Footing& before, const Footing& after, std::uint32_t 
     const Foot& was = before.feet[n];
     const Foot& is = after.feet[n];
     if (!is.planted) continue;
-    const double radius_m = kHalfSoleWidthM * after.scale;
+    const double radius_m = kPressedRadiusM * after.scale;
     const auto place_m = [&](double share) {
-      const double ahead_m = share * (kTipAheadM - kHalfSoleWidthM) - (1.0 - share) * (kHeelBehindM - 0.5 * kHalfSoleWidthM);
+      const double ahead_m = share * kTipAheadM - (1.0 - share) * kHeelBehindM;
       return is.position_m + ahead_m * after.scale * is.forward;
     };
     const double from = was.planted && was.position_m == is.position_m ? rolled(was.share) : 0.0;
