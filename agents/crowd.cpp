@@ -30,7 +30,7 @@ constexpr double kFasterM_per_s2 = 1.2, kSlowerM_per_s2 = 3.0;
 constexpr double kTurnRate = 3.5;        // 1/s, of the angle that is left
 constexpr double kMostTurnRad_per_s = 2.6;
 constexpr double kNoiseKnotS = 0.8;      // between independent values of the noise
-constexpr std::size_t kMostLimits = 24;
+constexpr std::size_t kMostLimits = 24, kMostFirmLimits = 20;  // the others are for movers
 constexpr int kMostTries = 400;          // to find room for a walker
 constexpr double kApartM = 0.05;         // at the start
 constexpr double kStandsBelow = 1e-3;    // m/s
@@ -304,15 +304,15 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
   std::array<StepLimit, kMostLimits> limits;
   std::size_t count = 0;
   const double reach_m = 2.0 * kFastestM_per_s * dt_s + kSkinM;
+  // No more bodies fit around one; of the many pieces of a wall that may meet at a corner, the nearest count.
   const auto limit = [&](glm::dvec2 toward, double room_m) {
-    // With more than that about, the nearest count; the others are farther than a step.
-    if (count == kMostLimits) {
-      auto farthest = std::max_element(limits.begin(), limits.end(),
-                                       [](const StepLimit& a, const StepLimit& b) { return a.room_m < b.room_m; });
-      if (farthest->room_m > room_m) *farthest = {toward, room_m};
+    if (count < kMostFirmLimits) {
+      limits[count++] = {toward, room_m};
       return;
     }
-    limits[count++] = {toward, room_m};
+    const auto farthest = std::max_element(limits.begin(), limits.begin() + kMostFirmLimits,
+                                           [](const StepLimit& a, const StepLimit& b) { return a.room_m < b.room_m; });
+    if (farthest->room_m > room_m) *farthest = {toward, room_m};
   };
   if (nearest.distance_m < reach_m) {
     neighbours.for_near(body.centre_m, [&](std::uint32_t other, const Disc& there) {
@@ -330,7 +330,8 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
   for (const Footprint& mover : around.movers) {
     if (is_beyond(box_of(mover), body.centre_m, body.radius_m + reach_m)) continue;
     const PlanDistance found = plan_distance(body, mover);
-    if (found.distance_m < reach_m) limit(found.toward, std::max(found.distance_m - kSkinM, -kMostPushM));
+    if (found.distance_m < reach_m && count < kMostLimits)
+      limits[count++] = {found.toward, std::max(found.distance_m - kSkinM, -kMostPushM)};
   }
   const glm::dvec2 wanted_m = walker.speed_m_per_s * dt_s * walker.forward;
   const std::span<const StepLimit> all(limits.data(), count);

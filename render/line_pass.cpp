@@ -15,7 +15,7 @@ namespace {
 constexpr GLuint kTableBinding = 5;
 constexpr GLint kShownLocation = 0, kSizeLocation = 1, kHalfWidthLocation = 2;
 constexpr GLsizei kVerticesPerLine = 6;
-constexpr float kShownWhereHidden = 0.35f;
+constexpr float kShownWhereHidden = 0.12f;
 constexpr float kWidthOfHeight = 1.0f / 480.0f;  // of the picture's
 constexpr float kThinnestPx = 1.5f;
 
