@@ -96,6 +96,7 @@ struct Walked {
   double least_way_m = 1e30;       // of anybody, in all
   double longest_stuck_s = 0.0;    // within half a metre
   double worst_d_m = 0.0;          // of perceived distances
+  double worst_end_m = 0.0;        // of where perceived directions lead, from the edge of what is drawn
 };
 
 Walked walk(const CrowdScene& scene, std::uint64_t seed, double duration_s) {
@@ -140,6 +141,14 @@ Walked walk(const CrowdScene& scene, std::uint64_t seed, double duration_s) {
       }
       nearest_m = std::min(nearest_m, crowd.traits()[a].sensor_m);
       walked.worst_d_m = std::max(walked.worst_d_m, std::abs(nearest_m - percepts[a].distance_m));
+      if (percepts[a].kind == Percept::Kind::kNothing) continue;
+      const glm::dvec2 end_m = place_m + (radius_m + percepts[a].distance_m) * percepts[a].toward;
+      double off_m = std::abs(standing.distance_m(end_m));
+      for (std::size_t b = 0; b < count; ++b) {
+        if (b == a) continue;
+        off_m = std::min(off_m, std::abs(glm::distance(end_m, crowd.walkers()[b].position_m) - crowd.traits()[b].radius_m));
+      }
+      walked.worst_end_m = std::max(walked.worst_end_m, off_m);
     }
   }
   walked.least_way_m = *std::min_element(way_m.begin(), way_m.end());
@@ -148,14 +157,16 @@ Walked walk(const CrowdScene& scene, std::uint64_t seed, double duration_s) {
 
 void expect_nobody_walks_through(std::uint64_t seed) {
   const Walked walked = walk(crowd_scene(), seed, 600.0);
-  fmt::print("seed {}: least gap {:.5f} m, centre {:.3f} m, overlap {:.6f} m, least way {:.0f} m, longest stuck {:.1f} s, d off by {:.1e} m\n", seed,
-             walked.least_gap_m, walked.least_centre_m, walked.deepest_overlap_m, walked.least_way_m, walked.longest_stuck_s, walked.worst_d_m);
+  fmt::print("seed {}: least gap {:.5f} m, centre {:.3f} m, overlap {:.6f} m, least way {:.0f} m, longest stuck {:.1f} s, d off by {:.1e} m, its end by {:.1e} m\n", seed,
+             walked.least_gap_m, walked.least_centre_m, walked.deepest_overlap_m, walked.least_way_m, walked.longest_stuck_s, walked.worst_d_m,
+             walked.worst_end_m);
   EXPECT_GT(walked.least_centre_m, 0.0);
   EXPECT_GT(walked.least_gap_m, 0.0);
   EXPECT_LE(walked.deepest_overlap_m, 0.02);
   EXPECT_GE(walked.least_way_m, 100.0);
   EXPECT_LE(walked.longest_stuck_s, 20.0);
   EXPECT_LE(walked.worst_d_m, 1e-4);
+  EXPECT_LE(walked.worst_end_m, 1e-4);
 }
 
 class CrowdTest : public testing::TestWithParam<int> {};
