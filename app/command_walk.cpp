@@ -194,8 +194,9 @@ void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       ->type_name("S");
   command->add_option("--trajectories", options->trajectories, "Write where everybody is, each 1/fps s; - is stdout")
       ->type_name("FILE.csv");
-  command->add_option("--record", options->record, "Draw a clip without a window: a video that ends in .mp4, or a folder of pictures")
-      ->type_name("FILE|FOLDER");
+  CLI::Option* record =
+      command->add_option("--record", options->record, "Draw a clip without a window: a video that ends in .mp4, or a folder of pictures")
+          ->type_name("FILE|FOLDER");
   CLI::Option* replay = command->add_option("--replay", options->replay,
                                             "Walkers go along recorded tracks instead: CSV (time_s,id,x_m,y_m), UCY obsmat.txt or GPX")
                             ->type_name("FILE");
@@ -210,7 +211,7 @@ void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chos
                             ->add_option("--camera", options->camera,
                                          "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
                             ->type_name("NAME|NUMBERS");
-  command->add_option("--path", options->path, "Where the clip's camera goes, as for record")->type_name("FILE.csv")->excludes(camera);
+  command->add_option("--path", options->path, "Where the clip's camera goes, as for record")->type_name("FILE.csv")->needs(record)->excludes(camera);
   command
       ->add_option_function<std::string>(
           "--fps", [options](const std::string& text) { options->frames_per_s = int_option("--fps", text, 1, kMostStepsPerS); },
