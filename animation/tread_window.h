@@ -1,5 +1,5 @@
 // Trodden grass around the eye as a texture: windows of rising node spacing, tori as those of animation/sway.h and as wide,
-// of bytes. Only what has been trodden costs something.
+// of bytes. A coarser one holds what lies beyond the finer. Only what has been trodden costs something.
 #pragma once
 
 #include <array>
