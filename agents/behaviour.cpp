@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "agents/plane_vectors.h"
+
 namespace prairie {
 namespace {
 
@@ -23,15 +25,6 @@ double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-glm::dvec2 left_of(glm::dvec2 forward) {
-  return {-forward.y, forward.x};
-}
-
-glm::dvec2 unit(glm::dvec2 v, glm::dvec2 otherwise) {
-  const double length = glm::length(v);
-  return length > 1e-9 ? v / length : otherwise;
-}
-
 double smooth(double share) {
   const double s = std::clamp(share, 0.0, 1.0);
   return s * s * (3.0 - 2.0 * s);
@@ -39,8 +32,7 @@ double smooth(double share) {
 
 /// Turned by a small angle, rad, to the left.
 glm::dvec2 turned(glm::dvec2 forward, double angle_rad) {
-  const double t = 0.5 * angle_rad, c = (1.0 - t * t) / (1.0 + t * t), s = 2.0 * t / (1.0 + t * t);
-  return c * forward + s * left_of(forward);
+  return turned_by_half_tangent(forward, 0.5 * angle_rad);
 }
 
 MotorCommand wander(const Sight& sight, Memory& memory) {

@@ -15,6 +15,7 @@
 #include "agents/foot_treads.h"
 #include "agents/free_step.h"
 #include "agents/plan_cell.h"
+#include "agents/plane_vectors.h"
 #include "agents/skeleton.h"
 #include "animation/heading.h"
 #include "maps/error.h"
@@ -65,15 +66,6 @@ double noise_at(std::uint32_t seed, std::uint32_t walker, Purpose purpose, doubl
   return (a * gaussian(seed, walker, purpose, n) + b * gaussian(seed, walker, purpose, n + 1)) / std::sqrt(a * a + b * b);
 }
 
-glm::dvec2 left_of(glm::dvec2 forward) {
-  return {-forward.y, forward.x};
-}
-
-glm::dvec2 unit(glm::dvec2 v, glm::dvec2 otherwise) {
-  const double length = glm::length(v);
-  return length > 1e-9 ? v / length : otherwise;
-}
-
 /// Towards `wanted` by what a step's time allows.
 glm::dvec2 turned_towards(glm::dvec2 forward, glm::dvec2 wanted, double dt_s) {
   const double c = glm::dot(forward, wanted), s = glm::dot(left_of(forward), wanted);
@@ -81,8 +73,7 @@ glm::dvec2 turned_towards(glm::dvec2 forward, glm::dvec2 wanted, double dt_s) {
   const double half = c > -0.999 ? s / (1.0 + c) : (s < 0.0 ? -30.0 : 30.0);
   const double most = 0.5 * kMostTurnRad_per_s * dt_s;
   const double t = std::clamp(std::min(kTurnRate * dt_s, 1.0) * half, -most, most);
-  const double cosine = (1.0 - t * t) / (1.0 + t * t), sine = 2.0 * t / (1.0 + t * t);
-  return unit(cosine * forward + sine * left_of(forward), forward);
+  return unit(turned_by_half_tangent(forward, t), forward);
 }
 
 /// Tobler 1993, "Three presentations on geographical analysis and modeling", relative to level ground.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "agents/plane_vectors.h"
 #include "agents/skeleton.h"
 #include "animation/range_check.h"
 #include "maps/error.h"
@@ -29,10 +30,6 @@ double fraction(double x) {
   return x - std::floor(x);
 }
 
-glm::dvec2 left_of(glm::dvec2 forward) {
-  return {-forward.y, forward.x};
-}
-
 double side_of(std::size_t foot) {
   return foot == 0 ? 1.0 : -1.0;
 }
@@ -46,7 +43,7 @@ double eased(double share) {
   return share * share * (3.0 - 2.0 * share);
 }
 
-glm::dvec2 unit(glm::dvec2 v, glm::dvec2 otherwise) {
+glm::dvec2 steady_unit(glm::dvec2 v, glm::dvec2 otherwise) {
   const double length = std::sqrt(v.x * v.x + v.y * v.y);
   return length > 1e-6 ? v / length : otherwise;
 }
@@ -160,7 +157,7 @@ void advance(Footing& footing, const Gait& gait, const BodyStep& body, double dt
     const double done = eased(foot.share);
     const double part = strikes ? 1.0 : (eased(share) - done) / std::max(1.0 - done, 1e-9);
     foot.position_m += part * (target_m - foot.position_m);
-    foot.forward = unit(foot.forward + part * (body.forward - foot.forward), body.forward);
+    foot.forward = steady_unit(foot.forward + part * (body.forward - foot.forward), body.forward);
     foot.planted = strikes;
     foot.share = strikes ? std::min(phase / stance, 1.0) : share;
   }

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "agents/plane_vectors.h"
 #include "animation/heading.h"
 #include "animation/range_check.h"
 #include "maps/error.h"
@@ -37,10 +38,6 @@ constexpr std::array<glm::dvec2, 4> kCorners = {glm::dvec2(1.0, 1.0), glm::dvec2
 const MoverPath& checked(const MoverPath& mover) {
   check(mover);
   return mover;
-}
-
-glm::dvec2 left_of(glm::dvec2 forward) {
-  return {-forward.y, forward.x};
 }
 
 /// Unit columns forward, left, up, on ground that rises by `slope` (∂z/∂x, ∂z/∂y).

@@ -80,12 +80,7 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
     Progress progress("frame", static_cast<std::uint64_t>(frames), globals.quiet);
     for (int frame = 0; frame < frames; ++frame) {
       const Camera camera = camera_in_frame(frame);
-      const glm::dvec2 place_m = watched_place_m(camera, world.meadow().ground);
-      if (world.motion().is_watched()) {
-        world.motion().watch(place_m);
-      } else {
-        world.watch_anew(place_m);
-      }
+      look_through(camera, world);
       advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
       clip.add(renderer.render(camera, look, options.samples));
       progress.advance();

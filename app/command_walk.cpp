@@ -139,14 +139,7 @@ int walk_headless(const WalkOptions& options, const GlobalOptions& globals, Worl
   {
     Progress progress("step", static_cast<std::uint64_t>(frames), globals.quiet);
     for (int frame = 0; frame < frames; ++frame) {
-      if (recorder) {
-        const glm::dvec2 place_m = watched_place_m(recorder->camera(frame), world.meadow().ground);
-        if (world.motion().is_watched()) {
-          world.motion().watch(place_m);
-        } else {
-          world.watch_anew(place_m);
-        }
-      }
+      if (recorder) look_through(recorder->camera(frame), world);
       advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
       if (table) table->write(trajectory_rows(world));
       if (recorder) recorder->add(frame);

@@ -23,4 +23,13 @@ glm::dvec2 watched_place_m(const Camera& camera, const HeightField& ground) {
   return below_m + glm::dvec2(forward) * ((ground_m - camera.eye_m.z) / forward.z);
 }
 
+void look_through(const Camera& camera, World& world) {
+  const glm::dvec2 place_m = watched_place_m(camera, world.meadow().ground);
+  if (world.motion().is_watched()) {
+    world.motion().watch(place_m);
+  } else {
+    world.watch_anew(place_m);
+  }
+}
+
 }  // namespace prairie

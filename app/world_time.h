@@ -20,4 +20,7 @@ void advance_to(World& world, double time_s);
 /// parallel projection, the middle of what it sees.
 glm::dvec2 watched_place_m(const Camera& camera, const HeightField& ground);
 
+/// The world is seen through this camera from now on.
+void look_through(const Camera& camera, World& world);
+
 }  // namespace prairie

@@ -42,11 +42,6 @@ std::vector<std::vector<glm::dvec2>> read_point_lists(TableReader& table, std::s
   return lists;
 }
 
-glm::dvec2 read_place(TableReader& table, std::string_view key, glm::dvec2 fallback) {
-  const auto place_m = table.pair(key, kPositionM);
-  return place_m ? glm::dvec2((*place_m)[0], (*place_m)[1]) : fallback;
-}
-
 glm::dvec2 need_place(TableReader& table, std::string_view key) {
   const auto place_m = table.pair(key, kPositionM);
   if (!place_m) table.refuse_missing(key, "a place [x, y] in metres");

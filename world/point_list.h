@@ -21,9 +21,7 @@ std::vector<glm::dvec2> read_points(TableReader& table, std::string_view key, Po
 /// An array of such lists; empty where the key is absent.
 std::vector<std::vector<glm::dvec2>> read_point_lists(TableReader& table, std::string_view key, PointCounts counts);
 
-/// [x, y] within what scenes may span. `fallback` is for where the key is absent.
-glm::dvec2 read_place(TableReader& table, std::string_view key, glm::dvec2 fallback);
-/// The required key `key`.
+/// The required key `key`: [x, y] within what scenes may span.
 glm::dvec2 need_place(TableReader& table, std::string_view key);
 
 }  // namespace prairie
