@@ -9,6 +9,7 @@
 #include "render/light.h"
 #include "render/render_target.h"
 #include "render/stream_buffer.h"
+#include "tests/render/covered_pixels.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 
@@ -20,30 +21,11 @@ class ObstaclePassTest : public HeadlessTest {
   /// Which pixels it covers, rows from the top.
   std::vector<bool> covered(const Camera& camera, const StandingThings& things) {
     const World world = open_world(dark_ground_scene(folder_, false));
-    StreamBuffer stream(std::size_t{1} << 16);
-    stream.begin_frame();
-    FramePlan plan;
-    plan.camera = camera;
-    const FrameParams frame = frame_params(world, plan, GroundLook{}, FieldLook{});
-    const StreamBuffer::Slice block = stream.write(&frame, sizeof(frame));
-    glBindBufferRange(GL_UNIFORM_BUFFER, 0, block.buffer, block.offset, sizeof(frame));
-    const RenderTarget target(camera.size_px, false);
     pass_.set(things, HeightField());
-    target.begin();
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GREATER);
-    pass_.prepare(camera);
-    pass_.draw();
-    std::vector<float> pixels(std::size_t{4} * camera.size_px.x * camera.size_px.y);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.resolved_framebuffer());
-    glReadPixels(0, 0, camera.size_px.x, camera.size_px.y, GL_RGBA, GL_FLOAT, pixels.data());
-    std::vector<bool> covered;
-    for (int row = camera.size_px.y; row-- > 0;) {
-      for (int column = 0; column < camera.size_px.x; ++column)
-        covered.push_back(pixels[4 * (static_cast<std::size_t>(row) * camera.size_px.x + column)] > 0.0f);
-    }
-    return covered;
+    return covered_pixels(world, camera, [&](StreamBuffer&) {
+      pass_.prepare(camera);
+      pass_.draw();
+    });
   }
 
   /// From above in a parallel projection, a pixel being a millimetre.

@@ -11,6 +11,7 @@
 #include "render/light.h"
 #include "render/render_target.h"
 #include "render/renderer.h"
+#include "tests/render/covered_pixels.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 
@@ -47,30 +48,11 @@ class SolidPassTest : public HeadlessTest {
  protected:
   /// Which pixels a solid on its own covers, rows from the top.
   std::vector<bool> covered(const World& world, const Camera& camera, const DrawnSolid& solid) {
-    StreamBuffer stream(std::size_t{1} << 16);
-    stream.begin_frame();
-    FramePlan plan;
-    plan.camera = camera;
-    const FrameParams frame = frame_params(world, plan, GroundLook{}, FieldLook{});
-    const StreamBuffer::Slice block = stream.write(&frame, sizeof(frame));
-    glBindBufferRange(GL_UNIFORM_BUFFER, 0, block.buffer, block.offset, sizeof(frame));
     SolidPass pass(PRAIRIE_TEST_SHADERS);
-    const RenderTarget target(camera.size_px, false);
-    target.begin();
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GREATER);
-    pass.prepare(stream, {&solid, 1}, camera);
-    pass.draw();
-    std::vector<float> pixels(std::size_t{4} * camera.size_px.x * camera.size_px.y);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.resolved_framebuffer());
-    glReadPixels(0, 0, camera.size_px.x, camera.size_px.y, GL_RGBA, GL_FLOAT, pixels.data());
-    std::vector<bool> covered;
-    for (int row = camera.size_px.y; row-- > 0;) {
-      for (int column = 0; column < camera.size_px.x; ++column)
-        covered.push_back(pixels[4 * (static_cast<std::size_t>(row) * camera.size_px.x + column)] > 0.0f);
-    }
-    return covered;
+    return covered_pixels(world, camera, [&](StreamBuffer& stream) {
+      pass.prepare(stream, {&solid, 1}, camera);
+      pass.draw();
+    });
   }
 
   static Camera camera() {
