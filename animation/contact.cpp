@@ -67,9 +67,22 @@ double least(double low, double high, const Function& function) {
   return 0.5 * (low + high);
 }
 
+/// Where along a ray from `joint_m`, from `low_m` to `high_m`, a solid is nearest.
+template <typename Shape>
+double nearest_along_m(const Shape& solid, glm::dvec3 joint_m, glm::dvec3 t, double low_m, double high_m) {
+  const auto distance_m = [&](double along_m) { return separation(solid, joint_m + t * along_m).distance_m; };
+  const double nearest_m = least(low_m, high_m, distance_m);
+  return distance_m(high_m) < distance_m(nearest_m) ? high_m : nearest_m;
+}
+
+double nearest_along_m(const Sphere& sphere, glm::dvec3 joint_m, glm::dvec3 t, double low_m, double high_m) {
+  return std::clamp(glm::dot(sphere.centre_m - joint_m, t), low_m, high_m);
+}
+
+template <typename Shape>
 class BentBlade {
  public:
-  BentBlade(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
+  BentBlade(const Shape& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
             glm::dvec3 up, float least_rise, const ChainMotion& motion)
       : solid_(solid), blade_(blade), rest_(rest), growth_(growth), up_(up), least_rise_(least_rise) {
     const ChainVectors along = Kernels{}.chain_rest(rest).along;
@@ -85,29 +98,31 @@ class BentBlade {
   /// How deep the deepest point of each segment of the drawn curve is in the solid, at least 0.
   std::array<double, kSegments> depths_m() const {
     const Kernels::BladeChain chain = drawn();
-    const auto distance_m = [&](double u) {
-      return separation(solid_, glm::dvec3(Kernels{}.chain_point(chain, static_cast<float>(u)))).distance_m;
-    };
-    constexpr double kSpacing = 1.0 / (kSegments * kPointsPerSegment);
+    const auto distance_m = [&](glm::vec3 point_m) { return separation(solid_, glm::dvec3(point_m)).distance_m; };
+    const std::array<double, kSegments + 1> at_joint_m = {distance_m(chain.p0), distance_m(chain.p1), distance_m(chain.p2),
+                                                          distance_m(chain.p3), distance_m(chain.p4)};
     std::array<double, kSegments> depth{};
-    std::array<double, kSegments + 1> at_joint_m;
-    for (int i = 0; i <= kSegments; ++i) at_joint_m[i] = distance_m(0.25 * i);
     const double segment_m = 0.25 * kMostStretched * static_cast<double>(blade_.height_m * growth_);
     for (int i = 0; i < kSegments; ++i) {
       // No distance changes by more than the way.
       if (at_joint_m[i] + at_joint_m[i + 1] > segment_m) continue;
+      const Kernels::BladeCurve piece = Kernels{}.chain_piece(chain, 0.25f * static_cast<float>(i) + 0.125f);
+      const auto at_m = [&](double t) {
+        return distance_m(Kernels{}.hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m,
+                                                  static_cast<float>(t)));
+      };
+      constexpr double kSpacing = 1.0 / kPointsPerSegment;
       double nearest = 0.0, least_m = 1e30;
       for (int n = i == 0 ? 1 : 0; n <= kPointsPerSegment; ++n) {
-        const double u = 0.25 * i + n * kSpacing, here_m = distance_m(u);
+        const double here_m = at_m(n * kSpacing);
         if (here_m < least_m) {
           least_m = here_m;
-          nearest = u;
+          nearest = n * kSpacing;
         }
       }
       if (least_m < kLookCloserM) {
-        const double u =
-            least(std::max(nearest - kSpacing, 0.0), std::min(nearest + kSpacing, 1.0), distance_m);
-        least_m = std::min(least_m, distance_m(u));
+        const double t = least(std::max(nearest - kSpacing, 0.0), std::min(nearest + kSpacing, 1.0), at_m);
+        least_m = std::min(least_m, at_m(t));
       }
       depth[i] = std::max(-least_m, 0.0);
     }
@@ -167,15 +182,11 @@ class BentBlade {
 
   /// A rod's own foot, which no turn moves, is left out.
   std::pair<double, Separation> nearest_on_rod(glm::dvec3 joint_m, glm::dvec3 t, double rod_m) const {
-    const auto distance_m = [&](double along_m) {
-      return separation(solid_, joint_m + t * along_m).distance_m;
-    };
-    double nearest_m = least(0.05 * rod_m, rod_m, distance_m);
-    if (distance_m(rod_m) < distance_m(nearest_m)) nearest_m = rod_m;
+    const double nearest_m = nearest_along_m(solid_, joint_m, t, 0.05 * rod_m, rod_m);
     return {nearest_m, separation(solid_, joint_m + t * nearest_m)};
   }
 
-  const Solid& solid_;
+  const Shape& solid_;
   const Blade& blade_;
   const Kernels::BladeCurve& rest_;
   float growth_;
@@ -185,14 +196,13 @@ class BentBlade {
   std::array<glm::dquat, kSegments> turn_;
 };
 
-}  // namespace
-
-bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
-              glm::vec3 up, ChainMotion& motion, float least_rise) {
+template <typename Shape>
+bool bent_out_of(const Shape& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth, glm::vec3 up,
+                 ChainMotion& motion, float least_rise) {
   const double length_m = static_cast<double>(blade.height_m * growth);
   const double root_m = separation(solid, glm::dvec3(rest.base_m)).distance_m;
   if (root_m > length_m * 1.05) return false;
-  BentBlade bent(solid, blade, rest, growth, glm::normalize(glm::dvec3(up)), least_rise, motion);
+  BentBlade<Shape> bent(solid, blade, rest, growth, glm::normalize(glm::dvec3(up)), least_rise, motion);
   if (root_m < kUnseenM) {
     bent.lay_down();
   } else {
@@ -210,6 +220,14 @@ bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve&
   motion.turn = bent.turns();
   motion.rate = ChainVectors{};
   return true;
+}
+
+}  // namespace
+
+bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth, glm::vec3 up,
+              ChainMotion& motion, float least_rise) {
+  return std::visit(
+      [&](const auto& shape) { return bent_out_of(shape, blade, rest, growth, up, motion, least_rise); }, solid);
 }
 
 }  // namespace prairie

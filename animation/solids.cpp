@@ -3,31 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace prairie {
 namespace {
 
 constexpr double kPoint = 1e-12;
 
-Separation from_ball(glm::dvec3 centre_m, double radius_m, glm::dvec3 point_m) {
-  const glm::dvec3 away = point_m - centre_m;
-  const double distance_m = glm::length(away);
-  return {distance_m - radius_m, distance_m > kPoint ? away / distance_m : glm::dvec3(0.0, 0.0, 1.0)};
-}
+}  // namespace
 
-Separation from(const Sphere& sphere, glm::dvec3 point_m) {
-  return from_ball(sphere.centre_m, sphere.radius_m, point_m);
-}
-
-Separation from(const Capsule& capsule, glm::dvec3 point_m) {
+Separation separation(const Capsule& capsule, glm::dvec3 point_m) {
   const glm::dvec3 axis = capsule.to_m - capsule.from_m;
   const double length2 = glm::dot(axis, axis);
   const double along = length2 > kPoint ? glm::dot(point_m - capsule.from_m, axis) / length2 : 0.0;
-  return from_ball(capsule.from_m + axis * std::clamp(along, 0.0, 1.0), capsule.radius_m, point_m);
+  return separation(Sphere{capsule.from_m + axis * std::clamp(along, 0.0, 1.0), capsule.radius_m}, point_m);
 }
 
-Separation from(const Box& box, glm::dvec3 point_m) {
+Separation separation(const Box& box, glm::dvec3 point_m) {
   const glm::dvec3 local = (point_m - box.centre_m) * box.axes;  // by the transposed matrix
   const glm::dvec3 over = glm::abs(local) - box.half_size_m;
   const glm::dvec3 outside = glm::max(over, glm::dvec3(0.0));
@@ -38,10 +29,8 @@ Separation from(const Box& box, glm::dvec3 point_m) {
   return {over[face], box.axes[face] * sign[face]};
 }
 
-}  // namespace
-
 Separation separation(const Solid& solid, glm::dvec3 point_m) {
-  return std::visit([&](const auto& shape) { return from(shape, point_m); }, solid);
+  return std::visit([&](const auto& shape) { return separation(shape, point_m); }, solid);
 }
 
 }  // namespace prairie

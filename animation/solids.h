@@ -2,6 +2,7 @@
 // signed distance along a straight line has one minimum.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <variant>
@@ -33,5 +34,17 @@ struct Separation {
 };
 
 Separation separation(const Solid& solid, glm::dvec3 point_m);
+
+// Of each shape, for those who ask for many points of one solid.
+
+inline Separation separation(const Sphere& sphere, glm::dvec3 point_m) {
+  constexpr double kPoint = 1e-12;
+  const glm::dvec3 away = point_m - sphere.centre_m;
+  const double distance_m = glm::length(away);
+  return {distance_m - sphere.radius_m, distance_m > kPoint ? away / distance_m : glm::dvec3(0.0, 0.0, 1.0)};
+}
+
+Separation separation(const Capsule& capsule, glm::dvec3 point_m);
+Separation separation(const Box& box, glm::dvec3 point_m);
 
 }  // namespace prairie

@@ -1,6 +1,10 @@
 #include "animation/sway.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -67,12 +71,8 @@ void Sway::follow(glm::dvec2 eye_m) {
 
 // The wind of a texel is the mean of the nodes at its corners.
 void Sway::blow(Level& level, const Wind& wind, double time_s) {
-  const double size_m = level.blades.texel_m();
-  // The texel of the lattice that lies at the torus' first place tells where the window begins.
-  const glm::dvec2 low_m = centre_m_ - 0.5 * kSide * size_m;
-  const glm::ivec2 corner(static_cast<int>(std::floor(low_m.x / size_m + 0.5)),
-                          static_cast<int>(std::floor(low_m.y / size_m + 0.5)));
-  const WindNodes nodes{{corner.x, corner.y}, kSide + 1, kSide + 1, size_m};
+  const glm::ivec2 corner = level.blades.corner();
+  const WindNodes nodes{{corner.x, corner.y}, kSide + 1, kSide + 1, level.blades.texel_m()};
   fill_wind(wind, nodes, time_s, level.nodes_m_per_s);
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
@@ -98,63 +98,110 @@ void Sway::paint() {
   for (std::size_t level = kLevels; level-- > 0;) paint_level(level);
 }
 
+namespace {
+
+/// What lies between four texels of a torus, bilinear.
+struct TexelBlend {
+  std::array<std::size_t, 4> from;  // south-west, south-east, north-west, north-east
+  float east, north;
+
+  glm::vec4 of(const glm::vec4* texels) const {
+    const glm::vec4 south = texels[from[0]] + (texels[from[1]] - texels[from[0]]) * east;
+    const glm::vec4 norths = texels[from[2]] + (texels[from[3]] - texels[from[2]]) * east;
+    return south + (norths - south) * north;
+  }
+};
+
+/// Along an axis: the texel before a place, and the share of the way to the next one.
+struct Between {
+  std::size_t before, after;
+  float share;
+};
+
+Between between(double position_m, double size_m) {
+  const double at = position_m / size_m - 0.5, below = std::floor(at);
+  const int index = static_cast<int>(below);
+  return {wrapped(index), wrapped(index + 1), static_cast<float>(at - below)};
+}
+
+TexelBlend blend_of(const Between& column, const Between& row) {
+  return {{row.before * kSide + column.before, row.before * kSide + column.after, row.after * kSide + column.before,
+           row.after * kSide + column.after},
+          column.share,
+          row.share};
+}
+
+/// Along an axis, of a texel of a torus: how far from the centre, and where in the next coarser window.
+struct Place {
+  double away_m;
+  Between coarser;
+};
+
+std::array<Place, kSide> places_along(int corner, double size_m, double centre_m) {
+  std::array<Place, kSide> places;
+  for (int n = 0; n < kSide; ++n) {
+    const double middle_m = (corner + n + 0.5) * size_m;
+    places[wrapped(corner + n)] = {std::abs(middle_m - centre_m), between(middle_m, size_m * double{layouts::kSwayCoarsening})};
+  }
+  return places;
+}
+
+}  // namespace
+
 void Sway::paint_level(std::size_t level) {
   const VirtualBlades& blades = levels_[level].blades;
-  const std::size_t count = species_.size();
-  const std::span<glm::vec4> tips = layer(tip_layer(level));
-  std::fill(tips.begin(), tips.end(), glm::vec4(0.0f));
-  for (std::size_t s = 0; s < count; ++s) {
-    const std::span<const VirtualTexel> texels = blades.texels(s);
-    for (int part = 0; part < 4; ++part) {
-      const std::span<glm::vec4> out = layer(static_cast<int>(4 * (level * count + s)) + part);
-      for (std::size_t n = 0; n < kTexels; ++n) out[n] = texels[n].segments[static_cast<std::size_t>(part)];
+  const std::size_t count = species_.size(), layers = 4 * count + 1;
+  const bool is_last = level + 1 == kLevels;
+  // The layer of each of a texel's segments and species, and of its tip; and what each fades into.
+  std::vector<glm::vec4*> own(layers);
+  std::vector<const glm::vec4*> coarser(layers);
+  for (std::size_t l = 0; l < layers; ++l) {
+    const bool is_tip = l + 1 == layers;
+    own[l] = layer(is_tip ? tip_layer(level) : static_cast<int>(4 * level * count + l)).data();
+    if (!is_last) coarser[l] = layer(is_tip ? tip_layer(level + 1) : static_cast<int>(4 * (level + 1) * count + l)).data();
+  }
+  const auto copy = [&](std::size_t n) {
+    glm::vec4 tip(0.0f);
+    for (std::size_t s = 0; s < count; ++s) {
+      const auto& segments = blades.texels(s)[n].segments;
+      for (std::size_t part = 0; part < 4; ++part) own[4 * s + part][n] = segments[part];
+      tip += species_[s].share * glm::vec4(segments[0].w, segments[1].w, segments[2].w, 0.0f);
     }
-    const float share = species_[s].share;
+    own[layers - 1][n] = tip;
+  };
+  std::vector<glm::vec4> means(layers, glm::vec4(0.0f));
+  if (is_last) {
     for (std::size_t n = 0; n < kTexels; ++n) {
-      const auto& segments = texels[n].segments;
-      tips[n] += share * glm::vec4(segments[0].w, segments[1].w, segments[2].w, 0.0f);
+      copy(n);
+      for (std::size_t l = 0; l < layers; ++l) means[l] += own[l][n];
     }
+    for (glm::vec4& mean : means) mean /= static_cast<float>(kTexels);
   }
 
-  const double start_m = fade_start_m(half_m(level)), end_m = fade_end_m(half_m(level));
-  std::vector<int> layers;
-  for (std::size_t n = 4 * level * count; n < 4 * (level + 1) * count; ++n) layers.push_back(static_cast<int>(n));
-  layers.push_back(tip_layer(level));
-  std::vector<glm::vec4> means(layers.size(), glm::vec4(0.0f));
-  const bool is_last = level + 1 == kLevels;
-  if (is_last) {
-    for (std::size_t l = 0; l < layers.size(); ++l) {
-      for (const glm::vec4& texel : layer(layers[l])) means[l] += texel;
-      means[l] /= static_cast<float>(kTexels);
+  const double size_m = blades.texel_m(), start_m = fade_start_m(half_m(level)), end_m = fade_end_m(half_m(level));
+  const std::array<Place, kSide> columns = places_along(blades.corner().x, size_m, centre_m_.x);
+  const std::array<Place, kSide> rows = places_along(blades.corner().y, size_m, centre_m_.y);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, kSide, 8), [&](const auto& range) {
+    for (std::size_t row = range.begin(); row != range.end(); ++row) {
+      for (std::size_t column = 0; column < kSide; ++column) {
+        const std::size_t n = row * kSide + column;
+        if (!is_last) copy(n);
+        const double distance_m = std::max(columns[column].away_m, rows[row].away_m);
+        if (distance_m <= start_m) continue;
+        const auto share = static_cast<float>(std::min((distance_m - start_m) / (end_m - start_m), 1.0));
+        const TexelBlend beyond = blend_of(columns[column].coarser, rows[row].coarser);
+        for (std::size_t l = 0; l < layers; ++l) {
+          glm::vec4& texel = own[l][n];
+          texel += ((is_last ? means[l] : beyond.of(coarser[l])) - texel) * share;
+        }
+      }
     }
-  }
-  const int layers_down = static_cast<int>(4 * count);
-  for (std::size_t n = 0; n < kTexels; ++n) {
-    const glm::dvec2 middle_m = blades.middle_m(n);
-    const glm::dvec2 away_m = glm::abs(middle_m - centre_m_);
-    const double distance_m = std::max(away_m.x, away_m.y);
-    if (distance_m <= start_m) continue;
-    const auto share = static_cast<float>(std::min((distance_m - start_m) / (end_m - start_m), 1.0));
-    for (std::size_t l = 0; l < layers.size(); ++l) {
-      const bool is_tip = l + 1 == layers.size();
-      const int coarser = is_tip ? tip_layer(level + 1) : layers[l] + layers_down;
-      const glm::vec4 beyond = is_last ? means[l] : sampled(coarser, level + 1, middle_m);
-      glm::vec4& texel = layer(layers[l])[n];
-      texel += (beyond - texel) * share;
-    }
-  }
+  });
 }
 
 glm::vec4 Sway::sampled(int index, std::size_t level, glm::dvec2 position_m) const {
   const double size_m = texel_m(level);
-  const double x = position_m.x / size_m - 0.5, y = position_m.y / size_m - 0.5;
-  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
-  const float u = static_cast<float>(x - i), v = static_cast<float>(y - j);
-  const glm::vec4* texels = &image_[static_cast<std::size_t>(index) * kTexels];
-  const auto texel = [&](int di, int dj) { return texels[wrapped(j + dj) * kSide + wrapped(i + di)]; };
-  const glm::vec4 south = texel(0, 0) + (texel(1, 0) - texel(0, 0)) * u;
-  const glm::vec4 north = texel(0, 1) + (texel(1, 1) - texel(0, 1)) * u;
-  return south + (north - south) * v;
+  return blend_of(between(position_m.x, size_m), between(position_m.y, size_m)).of(&image_[static_cast<std::size_t>(index) * kTexels]);
 }
 
 namespace {
@@ -179,11 +226,11 @@ WindowPlace window_place(glm::dvec2 centre_m, glm::dvec2 position_m) {
 
 VirtualTexel Sway::at(std::size_t species, glm::dvec2 position_m) const {
   const WindowPlace place = window_place(centre_m_, position_m);
+  const double size_m = texel_m(place.level);
+  const TexelBlend blend = blend_of(between(place.position_m.x, size_m), between(place.position_m.y, size_m));
+  const glm::vec4* texels = &image_[4 * (place.level * species_.size() + species) * kTexels];
   VirtualTexel result;
-  for (int part = 0; part < 4; ++part) {
-    const int index = static_cast<int>(4 * (place.level * species_.size() + species)) + part;
-    result.segments[static_cast<std::size_t>(part)] = sampled(index, place.level, place.position_m);
-  }
+  for (std::size_t part = 0; part < 4; ++part) result.segments[part] = blend.of(texels + part * kTexels);
   return result;
 }
 

@@ -37,6 +37,9 @@ class VirtualBlades {
   }
   std::size_t species_count() const { return species_.size(); }
 
+  /// South-western texel of the window: (i, j) · texel_m is its own corner.
+  glm::ivec2 corner() const { return corner_; }
+
   /// The middle of the texel that lies at `index` of the torus now.
   glm::dvec2 middle_m(std::size_t index) const;
 
@@ -80,7 +83,7 @@ class VirtualBlades {
 
   int side_;
   double texel_m_;
-  glm::ivec2 corner_;  // south-western texel of the window
+  glm::ivec2 corner_;
   std::vector<Stand> species_;
 };
 
