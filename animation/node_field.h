@@ -90,17 +90,13 @@ class NodeField {
     });
   }
 
-  /// Bilinear between the nodes around a position, of what `value_of(NodeIndex)` makes of each; needs + and ·
-  /// float.
-  template <class ValueOf>
-  auto sample(glm::dvec2 position_m, ValueOf value_of) const {
-    const NodeSquare square = square_of(position_m, spacing_m_);
-    const auto [i, j] = square.south_west;
-    const auto south =
-        value_of(NodeIndex{i, j}) * (1.0f - square.east) + value_of(NodeIndex{i + 1, j}) * square.east;
-    const auto north = value_of(NodeIndex{i, j + 1}) * (1.0f - square.east) +
-                       value_of(NodeIndex{i + 1, j + 1}) * square.east;
-    return south * (1.0f - square.north) + north * square.north;
+  /// Calls `visit(page, nodes)` for the pages from `low` to `high`, both included, that there are; in the order of pages.
+  template <class Visitor>
+  void for_pages(PageIndex low, PageIndex high, Visitor visit) const {
+    for (int j = low.j; j <= high.j; ++j) {
+      auto page = pages_.lower_bound({.j = j, .i = low.i});
+      for (; page != pages_.end() && page->first.j == j && page->first.i <= high.i; ++page) visit(page->first, page->second);
+    }
   }
 
   /// Memory that the pages hold.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "generator/vector_stage.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {
@@ -35,13 +36,14 @@ float grown_share(float x) {
 /// Share of the recovery that has passed, 0…1.
 float recovered_share(const TreadNode& node, double time_s) {
   const float passed_s = static_cast<float>(time_s - node.start_s);
-  return std::clamp(passed_s / node.recovery_s, 0.0f, 1.0f);
+  return std::min(std::max(passed_s / node.recovery_s, 0.0f), 1.0f);
 }
 
+// Without branches, so that it takes part in a vector stage.
 float field_at(const TreadNode& node, double time_s) {
-  if (node.field == 0.0f) return 0.0f;
   const float left = 1.0f - recovered_share(node, time_s);
-  return node.field * (left * left);
+  const float field = node.field * (left * left);
+  return node.field == 0.0f ? 0.0f : field;
 }
 
 /// Load and wear make it longer.
@@ -52,14 +54,6 @@ float recovery_time_s(const TreadSettings& settings, const TreadNode& node, floa
 }
 
 }  // namespace
-
-Tread Tread::operator+(const Tread& other) const {
-  return {lean_rad + other.lean_rad, tilt_rad + other.tilt_rad, wear + other.wear};
-}
-
-Tread Tread::operator*(float factor) const {
-  return {lean_rad * factor, tilt_rad * factor, wear * factor};
-}
 
 float field_of(const TreadNode& node, double time_s) {
   return field_at(node, time_s);
@@ -105,23 +99,34 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
   node.start_s = to_s - static_cast<double>((1.0f - left) * node.recovery_s);
 }
 
-Tread tread_of(const TreadSettings& settings, const TreadNode& node, float wear, double time_s) {
+namespace {
+
+inline Tread tread_at(const TreadSettings& settings, const TreadNode& node, float wear, double time_s) {
+  Kernels kernels;
+  const float bent = field_at(node, time_s);
   const float worn = worn_field(settings, wear);
-  const auto tilt_rad = [&](float field) {
-    return Kernels{}.tread_tilt(field, settings.field_scale, settings.most_tilt_rad);
-  };
-  Tread tread;
-  tread.wear = wear;
-  const float bent = field_of(node, time_s);
-  tread.tilt_rad = tilt_rad(worn + bent);
-  if (bent > 0.0f) {
-    // Where pushes from opposite sides cancel, blades have no direction to lean to.
-    constexpr float kUndecided = 0.3f;
-    const glm::vec2 d = node.direction;
-    const float length = std::max(std::sqrt(d.x * d.x + d.y * d.y), kUndecided);
-    tread.lean_rad = d * ((tread.tilt_rad - tilt_rad(worn)) / length);
+  const float worn_tilt_rad = kernels.tread_tilt(worn, settings.field_scale, settings.most_tilt_rad);
+  const float tilt_rad = kernels.tread_tilt(worn + bent, settings.field_scale, settings.most_tilt_rad);
+  // Where pushes from opposite sides cancel, blades have no direction to lean to.
+  constexpr float kUndecided = 0.3f;
+  const glm::vec2 d = node.direction;
+  const float length = std::max(std::sqrt(d.x * d.x + d.y * d.y), kUndecided);
+  const float lean = bent > 0.0f ? (tilt_rad - worn_tilt_rad) / length : 0.0f;
+  return {glm::vec2(d.x * lean, d.y * lean), tilt_rad, wear};
+}
+
+}  // namespace
+
+Tread tread_of(const TreadSettings& settings, const TreadNode& node, float wear, double time_s) {
+  return tread_at(settings, node, wear, time_s);
+}
+
+PRAIRIE_VECTOR_STAGE void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes,
+                                    std::span<const float> wear, double time_s, std::span<glm::vec4> treads) {
+  for (std::size_t n = 0; n < treads.size(); ++n) {
+    const Tread tread = tread_at(settings, nodes[n], wear[n], time_s);
+    treads[n] = {tread.lean_rad.x, tread.lean_rad.y, tread.tilt_rad, tread.wear};
   }
-  return tread;
 }
 
 }  // namespace prairie

@@ -11,6 +11,8 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <span>
 
 namespace prairie {
 
@@ -51,9 +53,6 @@ struct Tread {
   glm::vec2 lean_rad{0.0f};  // how far and where to blades are bent; fades with recovery
   float tilt_rad = 0.0f;     // how far blades lie down in all: also worn ones, which lie every way
   float wear = 0.0f;         // 0…1
-
-  Tread operator+(const Tread& other) const;
-  Tread operator*(float factor) const;
 };
 
 /// F of the worn state.
@@ -73,5 +72,9 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
            float& wear);
 
 Tread tread_of(const TreadSettings& settings, const TreadNode& node, float wear, double time_s);
+
+/// The same of as many nodes as there are treads: (lean east, lean north, tilt, wear).
+void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes, std::span<const float> wear, double time_s,
+               std::span<glm::vec4> treads);
 
 }  // namespace prairie

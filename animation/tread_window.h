@@ -27,16 +27,28 @@ class TreadWindow {
   /// kTreadLevels layers of kTreadSide², rows from the torus' first.
   std::span<const TreadTexel> image() const { return image_; }
 
- private:
-  struct Painted {
-    std::uint32_t index;  // in the image
-    TreadTexel texel;
+  /// Rows of a layer.
+  struct Rows {
+    int layer, first, count;
   };
-  void paint_page(const Treading& treading, PageIndex page, int level, std::vector<Painted>& painted) const;
+  /// Outside these the image is what it was before it was last painted.
+  std::span<const Rows> changed() const { return changed_; }
+
+ private:
+  /// Texels of the endless lattice that the torus holds a part of.
+  struct Block {
+    int level = 0;
+    int first_row = 0, end_row = 0, first_column = 0, end_column = 0;
+  };
+  static std::size_t index_of(int level, int row, int column);
+  std::vector<PageIndex> pages_around(const Treading& treading) const;
+  /// Paints the texels whose middles lie in the page.
+  Block paint_page(const Treading& treading, PageIndex page, int level);
 
   glm::dvec2 centre_m_{0.0};
   std::vector<TreadTexel> image_;
-  std::vector<std::uint32_t> painted_;  // indices of texels that are not at rest
+  std::vector<Block> painted_;  // the rest is at rest
+  std::vector<Rows> changed_;
 };
 
 }  // namespace prairie

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -54,20 +55,19 @@ void fetch(const TreadNode* nodes, std::size_t count) {
 #endif
 }
 
-/// Calls `visit(slot, index)` for every node of the page in the rectangle: its place in the page and in the
-/// rectangle.
+/// Calls `visit(slot, index, count)` for every row of the page's nodes in the rectangle: where its first lies in the page and
+/// in the rectangle, and how many there are.
 template <class Visitor>
-void for_nodes(const NodeRect& rect, PageIndex page, Visitor visit) {
+void for_rows(const NodeRect& rect, PageIndex page, Visitor visit) {
   const NodeIndex corner = page.south_west();
   const int first_i = std::max(corner.i, rect.column), first_j = std::max(corner.j, rect.row);
   const int end_i = std::min(corner.i + kPageNodes, rect.column + rect.columns);
   const int end_j = std::min(corner.j + kPageNodes, rect.row + rect.rows);
   for (int j = first_j; j < end_j; ++j) {
-    for (int i = first_i; i < end_i; ++i) {
-      visit(static_cast<std::size_t>((j - corner.j) * kPageNodes + (i - corner.i)),
-            static_cast<std::size_t>(j - rect.row) * static_cast<std::size_t>(rect.columns) +
-                static_cast<std::size_t>(i - rect.column));
-    }
+    visit(static_cast<std::size_t>((j - corner.j) * kPageNodes + (first_i - corner.i)),
+          static_cast<std::size_t>(j - rect.row) * static_cast<std::size_t>(rect.columns) +
+              static_cast<std::size_t>(first_i - rect.column),
+          static_cast<std::size_t>(end_i - first_i));
   }
 }
 
@@ -75,14 +75,7 @@ void for_nodes(const NodeRect& rect, PageIndex page, Visitor visit) {
 template <class Node, class Visitor>
 void for_pages(const NodeRect& rect, const NodeField<Node>& field, Visitor visit) {
   if (rect.columns <= 0 || rect.rows <= 0) return;
-  const PageIndex first = page_of({rect.column, rect.row});
-  const PageIndex last = page_of({rect.column + rect.columns - 1, rect.row + rect.rows - 1});
-  for (int j = first.j; j <= last.j; ++j) {
-    auto page = field.pages().lower_bound({.j = j, .i = first.i});
-    for (; page != field.pages().end() && page->first.j == j && page->first.i <= last.i; ++page) {
-      visit(page->first, page->second);
-    }
-  }
+  field.for_pages(page_of({rect.column, rect.row}), page_of({rect.column + rect.columns - 1, rect.row + rect.rows - 1}), visit);
 }
 
 }  // namespace
@@ -202,19 +195,25 @@ Tread Treading::at(NodeIndex node) const {
 }
 
 Tread Treading::sample(glm::dvec2 position_m) const {
-  return state_.nodes.sample(position_m, [this](NodeIndex node) { return at(node); });
+  const NodeSquare square = square_of(position_m, settings_.spacing_m);
+  std::array<glm::vec4, 4> at;
+  read({square.south_west.i, square.south_west.j, 2, 2}, at);
+  const glm::vec4 south = at[0] * (1.0f - square.east) + at[1] * square.east;
+  const glm::vec4 north = at[2] * (1.0f - square.east) + at[3] * square.east;
+  const glm::vec4 tread = south * (1.0f - square.north) + north * square.north;
+  return {glm::vec2(tread), tread.z, tread.w};
 }
 
 void Treading::read(const NodeRect& rect, std::span<glm::vec4> out) const {
   assert(out.size() == static_cast<std::size_t>(rect.columns) * static_cast<std::size_t>(rect.rows));
   std::fill(out.begin(), out.end(), glm::vec4(0.0f));
+  static const NodeField<TreadNode>::Page kAtRest{};
   for_pages(rect, state_.wear, [&](PageIndex page, const NodeField<float>::Page& wear) {
-    const NodeField<TreadNode>::Page* nodes = state_.nodes.find_page(page);
-    for_nodes(rect, page, [&](std::size_t slot, std::size_t index) {
-      const TreadNode node = nodes == nullptr ? TreadNode{} : (*nodes)[slot];
-      if (node.field == 0.0f && wear[slot] == 0.0f) return;
-      const Tread tread = tread_of(settings_, node, wear[slot], state_.time_s);
-      out[index] = {tread.lean_rad.x, tread.lean_rad.y, tread.tilt_rad, tread.wear};
+    const NodeField<TreadNode>::Page* found = state_.nodes.find_page(page);
+    const NodeField<TreadNode>::Page& nodes = found == nullptr ? kAtRest : *found;
+    for_rows(rect, page, [&](std::size_t slot, std::size_t index, std::size_t count) {
+      treads_of(settings_, std::span(nodes).subspan(slot, count), std::span(wear).subspan(slot, count), state_.time_s,
+                out.subspan(index, count));
     });
   });
 }
@@ -223,7 +222,9 @@ void Treading::read_wear(const NodeRect& rect, std::span<float> out) const {
   assert(out.size() == static_cast<std::size_t>(rect.columns) * static_cast<std::size_t>(rect.rows));
   std::fill(out.begin(), out.end(), 0.0f);
   for_pages(rect, state_.wear, [&](PageIndex page, const NodeField<float>::Page& wear) {
-    for_nodes(rect, page, [&](std::size_t slot, std::size_t index) { out[index] = wear[slot]; });
+    for_rows(rect, page, [&](std::size_t slot, std::size_t index, std::size_t count) {
+      std::copy_n(wear.begin() + static_cast<std::ptrdiff_t>(slot), count, out.begin() + static_cast<std::ptrdiff_t>(index));
+    });
   });
 }
 

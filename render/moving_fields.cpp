@@ -50,10 +50,17 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
                         sway->image().data());
   }
   if (has_treads || !window_.is_empty()) {
-    if (treads_.get() == 0) treads_ = make_torus(GL_RGBA8_SNORM, layouts::kTreadSide, layouts::kTreadLevels);
+    if (treads_.get() == 0) {
+      treads_ = make_torus(GL_RGBA8_SNORM, layouts::kTreadSide, layouts::kTreadLevels);
+      const std::int8_t rest[4] = {};
+      glClearTexImage(treads_.get(), 0, GL_RGBA, GL_BYTE, rest);
+    }
     window_.paint(motion.treading(), centre_m);
-    glTextureSubImage3D(treads_.get(), 0, 0, 0, 0, layouts::kTreadSide, layouts::kTreadSide, layouts::kTreadLevels,
-                        GL_RGBA, GL_BYTE, window_.image().data());
+    for (const TreadWindow::Rows& rows : window_.changed()) {
+      const auto first = static_cast<std::size_t>(rows.layer * layouts::kTreadSide + rows.first) * layouts::kTreadSide;
+      glTextureSubImage3D(treads_.get(), 0, 0, rows.first, rows.layer, layouts::kTreadSide, rows.count, 1, GL_RGBA, GL_BYTE,
+                          window_.image().subspan(first).data());
+    }
   }
 }
 

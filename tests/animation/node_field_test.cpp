@@ -13,7 +13,6 @@ namespace {
 TEST(NodeFieldTest, NodesThatNothingTouchedCostNothing) {
   NodeField<float> field(0.25);
   EXPECT_EQ(field.at({123456, -98765}), 0.0f);
-  EXPECT_EQ(field.sample({1e6, -1e6}, [&](NodeIndex node) { return field.at(node); }), 0.0f);
   EXPECT_TRUE(field.pages().empty());
   EXPECT_EQ(field.bytes(), 0u);
 }
@@ -68,21 +67,13 @@ TEST(NodeFieldTest, FreesPagesAtRest) {
   EXPECT_EQ(field.at({7 * kPageNodes + 3, 5}), 7.0f);
 }
 
-TEST(NodeFieldTest, SamplesBilinearlyAcrossPages) {
+TEST(NodeFieldTest, VisitsThePagesOfARectangleInOrder) {
   NodeField<float> field(0.25);
-  // A plane is its own bilinear interpolation.
-  for (int j = -20; j <= 20; ++j) {
-    for (int i = -20; i <= 20; ++i)
-      field.touch({i, j}) = 3.0f * static_cast<float>(i) - 2.0f * static_cast<float>(j);
-  }
-  const auto sample = [&](double x, double y) {
-    return field.sample({x, y}, [&](NodeIndex node) { return field.at(node); });
-  };
-  for (double y = -4.7; y < 4.7; y += 0.093) {
-    for (double x = -4.7; x < 4.7; x += 0.071) {
-      ASSERT_NEAR(static_cast<double>(sample(x, y)), 12.0 * x - 8.0 * y, 2e-5) << x << ' ' << y;
-    }
-  }
+  for (const PageIndex page : {PageIndex{.j = 1, .i = 2}, {.j = 0, .i = 3}, {.j = 1, .i = -1}, {.j = 0, .i = 9}, {.j = 2, .i = 1}})
+    field.touch_page(page);
+  std::vector<PageIndex> visited;
+  field.for_pages({.j = 0, .i = 0}, {.j = 1, .i = 4}, [&](PageIndex page, const auto&) { visited.push_back(page); });
+  EXPECT_EQ(visited, (std::vector<PageIndex>{{.j = 0, .i = 3}, {.j = 1, .i = 2}}));
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <vector>
 
 #include "animation/sway.h"
 #include "chain_cases.h"
@@ -49,6 +51,71 @@ TEST(TreadWindow, HoldsWhatWasTrodden) {
   window.paint(treading, {64.0, 0.0});
   EXPECT_EQ(texel(window, 0, {0.0625, 2.0625}), TreadTexel{});
   EXPECT_GT(texel(window, 1, {0.2, 2.2})[2], 10);
+}
+
+TreadStep random_step(std::mt19937& random, std::uint32_t id) {
+  const glm::dvec2 from_m(uniform(random, -40.0, 40.0), uniform(random, -40.0, 40.0));
+  return {id, from_m, from_m + glm::dvec2(uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0)), uniform(random, 0.1, 1.0), 1.0};
+}
+
+TEST(TreadWindow, TexelsAreMeansOfWhatLiesInThem) {
+  for (const double spacing_m : {0.125, 0.2, 0.25, 0.1}) {
+    TreadSettings settings;
+    settings.spacing_m = spacing_m;
+    Treading treading(settings);
+    std::mt19937 random(8);
+    for (int n = 0; n < 60; ++n) {
+      const TreadStep step = random_step(random, 1);
+      treading.step({&step, 1}, 0.1 * (n + 1));
+    }
+    TreadWindow window;
+    const glm::dvec2 eye_m(3.3, -1.7);
+    window.paint(treading, eye_m);
+    int trodden = 0;
+    for (int level = 0; level < 2; ++level) {
+      const double size_m = 64.0 / kSide * std::pow(4.0, level), aside_m = size_m <= spacing_m ? 0.0 : 0.25 * size_m;
+      for (int n = 0; n < 20000; ++n) {
+        const double from_m = level == 0 ? 0.0 : 31.0, to_m = level == 0 ? 29.9 : 50.0;
+        const double away_m = uniform(random, from_m, to_m), aside = uniform(random, -away_m, away_m);
+        const double sign = n % 2 == 0 ? 1.0 : -1.0;
+        const glm::dvec2 away = n % 4 < 2 ? glm::dvec2(sign * away_m, aside) : glm::dvec2(aside, sign * away_m);
+        const glm::dvec2 middle_m = (glm::floor((eye_m + away) / size_m) + 0.5) * size_m;
+        glm::vec4 mean(0.0f);
+        for (const double x : {-aside_m, aside_m}) {
+          for (const double y : {-aside_m, aside_m}) {
+            const Tread tread = treading.sample(middle_m + glm::dvec2(x, y));
+            mean += 0.25f * glm::vec4(tread.lean_rad, tread.tilt_rad, tread.wear * layouts::kTreadMostRad);
+          }
+        }
+        const TreadTexel found = texel(window, level, middle_m);
+        for (int c = 0; c < 4; ++c)
+          ASSERT_NEAR(static_cast<float>(found[static_cast<std::size_t>(c)]), 127.0f * mean[c] / layouts::kTreadMostRad, 0.51f)
+              << spacing_m << ' ' << level << ' ' << middle_m.x << ' ' << middle_m.y;
+        trodden += found[2] > 20;
+      }
+    }
+    EXPECT_GT(trodden, 1000);
+  }
+}
+
+TEST(TreadWindow, TellsWhichRowsHaveChanged) {
+  Treading treading{TreadSettings{}};
+  TreadWindow window;
+  std::mt19937 random(9);
+  std::vector<TreadTexel> shown(window.image().begin(), window.image().end());
+  for (int n = 0; n < 40; ++n) {
+    const TreadStep step = random_step(random, 1);
+    treading.step({&step, 1}, 5.0 * (n + 1));
+    const glm::dvec2 eye_m(0.37 * n, n < 30 ? -0.2 * n : 500.0);
+    window.paint(treading, eye_m);
+    for (const TreadWindow::Rows& rows : window.changed()) {
+      const auto first = (static_cast<std::ptrdiff_t>(rows.layer) * kSide + rows.first) * kSide;
+      std::copy_n(window.image().begin() + first, static_cast<std::ptrdiff_t>(rows.count) * kSide, shown.begin() + first);
+    }
+    TreadWindow fresh;
+    fresh.paint(treading, eye_m);
+    ASSERT_TRUE(std::ranges::equal(shown, fresh.image())) << n;
+  }
 }
 
 TEST(PressedCurve, LiesAsFarAsItIsTrodden) {

@@ -251,6 +251,23 @@ TEST(TreadingTest, ReadsBlocksAsItReadsNodes) {
   EXPECT_GT(trodden, 100);
 }
 
+TEST(TreadingTest, SamplesBetweenNodesAlsoAcrossPages) {
+  Treading treading(TreadSettings{});
+  const RandomWalkers walkers(20, 8.0, 1.0 / 60.0);
+  for (int step = 0; step < 60; ++step) treading.step(walkers.steps(step), (step + 1) / 60.0);
+  const double spacing_m = treading.settings().spacing_m;
+  for (double y = -3.0; y < 3.0; y += 0.093) {
+    for (double x = -3.0; x < 3.0; x += 0.071) {
+      const NodeSquare square = square_of({x, y}, spacing_m);
+      const auto [i, j] = square.south_west;
+      const auto tilt = [&](int di, int dj) { return treading.at({i + di, j + dj}).tilt_rad; };
+      const float south = tilt(0, 0) + (tilt(1, 0) - tilt(0, 0)) * square.east;
+      const float north = tilt(0, 1) + (tilt(1, 1) - tilt(0, 1)) * square.east;
+      ASSERT_NEAR(treading.sample({x, y}).tilt_rad, south + (north - south) * square.north, 1e-6f) << x << ' ' << y;
+    }
+  }
+}
+
 /// Measured, not held to a bound: the machine that runs the suite may be busy.
 TEST(TreadingTest, StepOfAThousandBodies) {
   Treading treading(TreadSettings{});
