@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "animation/range_check.h"
+#include "generator/vector_stage.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {
@@ -61,21 +62,44 @@ NoiseTexture make_noise_texture(std::uint32_t seed) {
   return texture;
 }
 
-glm::vec2 NoiseTexture::sample(glm::dvec2 at) const {
-  constexpr double kTexelsPerCell = static_cast<double>(kSide) / kCells;
+namespace {
+
+// Without branches and calls, so that a row of places is one vector stage.
+inline glm::vec2 sampled(const glm::vec2* texels, glm::dvec2 at) {
+  constexpr int kSide = NoiseTexture::kSide;
+  constexpr double kTexelsPerCell = static_cast<double>(kSide) / NoiseTexture::kCells;
   const double x = at.x * kTexelsPerCell, y = at.y * kTexelsPerCell;
   const double column = std::floor(x), row = std::floor(y);
   const float east = static_cast<float>(x - column), north = static_cast<float>(y - row);
-  // The side is a power of two: masking wraps, also below zero.
-  const auto wrapped = [](std::int64_t n) { return static_cast<std::size_t>(n & (kSide - 1)); };
-  const std::size_t i0 = wrapped(static_cast<std::int64_t>(column)),
-                    i1 = wrapped(static_cast<std::int64_t>(i0) + 1);
-  const std::size_t j0 = kSide * wrapped(static_cast<std::int64_t>(row));
-  const std::size_t j1 = kSide * wrapped(static_cast<std::int64_t>(row) + 1);
+  // The side is a power of two: masking wraps what rounding left at the side itself.
+  const auto wrapped = [](double n) { return static_cast<int>(n - kSide * std::floor(n * (1.0 / kSide))) & (kSide - 1); };
+  const int i0 = wrapped(column), i1 = (i0 + 1) & (kSide - 1);
+  const int j0 = kSide * wrapped(row), j1 = (j0 + kSide) & (kSide * kSide - 1);
   const glm::vec2 south = texels[j0 + i0] + (texels[j0 + i1] - texels[j0 + i0]) * east;
   const glm::vec2 norths = texels[j1 + i0] + (texels[j1 + i1] - texels[j1 + i0]) * east;
   return south + (norths - south) * north;
 }
+
+inline glm::vec2 turbulence(const std::array<NoiseTexture, 3>& textures, const NoiseWindSettings& settings, glm::dvec2 position_m,
+                            glm::dvec2 mean_m_per_s, glm::dvec2 drift_m) {
+  const double speed = std::sqrt(mean_m_per_s.x * mean_m_per_s.x + mean_m_per_s.y * mean_m_per_s.y);
+  const glm::dvec2 u = position_m - drift_m;
+  glm::vec2 sum(0.0f);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const glm::dvec2 turn = kTurns[n];
+    const glm::dvec2 turned(turn.x * u.x - turn.y * u.y, turn.y * u.x + turn.x * u.y);
+    sum += sampled(textures[n].texels.data(), turned / settings.layers[n].size_m) * settings.layers[n].strength;
+  }
+  // x along the wind, y across it.
+  const glm::vec2 along(mean_m_per_s / (speed > 0.0 ? speed : 1.0));
+  const glm::vec2 part = sum * static_cast<float>(speed);
+  const float across = part.y * settings.lateral;
+  return {along.x * part.x - along.y * across, along.y * part.x + along.x * across};
+}
+
+}  // namespace
+
+glm::vec2 NoiseTexture::sample(glm::dvec2 at) const { return sampled(texels.data(), at); }
 
 NoiseWind::NoiseWind(const NoiseWindSettings& settings) : settings_(checked(settings)) {
   auto textures = std::make_shared<std::array<NoiseTexture, 3>>();
@@ -85,22 +109,18 @@ NoiseWind::NoiseWind(const NoiseWindSettings& settings) : settings_(checked(sett
   textures_ = std::move(textures);
 }
 
-glm::vec2 NoiseWind::velocity_m_per_s(glm::dvec2 position_m, glm::dvec2 mean_m_per_s,
-                                      glm::dvec2 drift_m) const {
-  const double speed = glm::length(mean_m_per_s);
-  if (speed == 0.0) return glm::vec2(0.0f);
-  const glm::dvec2 u = position_m - drift_m;
-  glm::vec2 sum(0.0f);
-  for (std::size_t n = 0; n < 3; ++n) {
-    const glm::dvec2 turn = kTurns[n];
-    const glm::dvec2 turned(turn.x * u.x - turn.y * u.y, turn.y * u.x + turn.x * u.y);
-    sum += (*textures_)[n].sample(turned / settings_.layers[n].size_m) * settings_.layers[n].strength;
-  }
-  // x along the wind, y across it.
-  const glm::vec2 along(mean_m_per_s / speed);
-  const glm::vec2 part = sum * static_cast<float>(speed);
-  const float across = part.y * settings_.lateral;
-  return {along.x * part.x - along.y * across, along.y * part.x + along.x * across};
+glm::vec2 NoiseWind::velocity_m_per_s(glm::dvec2 position_m, glm::dvec2 mean_m_per_s, glm::dvec2 drift_m) const {
+  return turbulence(*textures_, settings_, position_m, mean_m_per_s, drift_m);
+}
+
+PRAIRIE_VECTOR_STAGE void NoiseWind::add_row(glm::dvec2 first_m, double spacing_m, std::span<const glm::dvec2> means_m_per_s,
+                                             glm::dvec2 drift_m, std::span<glm::vec2> row_m_per_s) const {
+  const std::array<NoiseTexture, 3>& textures = *textures_;
+  const NoiseWindSettings settings = settings_;
+  const glm::dvec2* means = means_m_per_s.data();
+  glm::vec2* __restrict row = row_m_per_s.data();
+  for (int n = 0; n < static_cast<int>(row_m_per_s.size()); ++n)
+    row[n] += turbulence(textures, settings, first_m + glm::dvec2(n * spacing_m, 0.0), means[n], drift_m);
 }
 
 }  // namespace prairie

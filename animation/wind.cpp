@@ -52,18 +52,21 @@ void fill_wind(const Wind& wind, const WindNodes& nodes, double time_s, std::spa
   }
 
   oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, nodes.rows, 8), [&](const auto& range) {
+    std::vector<glm::dvec2> means(static_cast<std::size_t>(nodes.columns));
     for (int row = range.begin(); row != range.end(); ++row) {
       const std::span<glm::vec2> out =
           out_m_per_s.subspan(static_cast<std::size_t>(row) * static_cast<std::size_t>(nodes.columns),
                               static_cast<std::size_t>(nodes.columns));
       const auto place_m = [&](int column) { return low_m + glm::dvec2(column, row) * nodes.spacing_m; };
       for (int column = 0; column < nodes.columns; ++column) {
-        const glm::dvec2 position_m = place_m(column);
-        const glm::dvec2 mean = wind.mean.velocity_m_per_s(position_m, time_s);
-        glm::vec2 sum(mean);
-        if (wind.noise) sum += wind.noise->velocity_m_per_s(position_m, mean, drift_m);
-        if (wind.wake) sum += wind.wake->velocity_m_per_s(position_m);
-        out[static_cast<std::size_t>(column)] = sum;
+        const auto n = static_cast<std::size_t>(column);
+        means[n] = wind.mean.velocity_m_per_s(place_m(column), time_s);
+        out[n] = glm::vec2(means[n]);
+      }
+      if (wind.noise) wind.noise->add_row(place_m(0), nodes.spacing_m, means, drift_m, out);
+      if (wind.wake) {
+        for (int column = 0; column < nodes.columns; ++column)
+          out[static_cast<std::size_t>(column)] += wind.wake->velocity_m_per_s(place_m(column));
       }
       for (const Part& part : parts) {
         if (row < part.first_row || row > part.last_row) continue;
