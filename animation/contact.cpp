@@ -79,6 +79,40 @@ double nearest_along_m(const Sphere& sphere, glm::dvec3 joint_m, glm::dvec3 t, d
   return std::clamp(glm::dot(sphere.centre_m - joint_m, t), low_m, high_m);
 }
 
+/// How deep the deepest point of each segment of the drawn curve is in the solid, at least 0.
+template <typename Shape>
+std::array<double, kSegments> depths_m(const Shape& solid, const Kernels::BladeChain& chain, double length_m) {
+  const auto distance_m = [&](glm::vec3 point_m) { return separation(solid, glm::dvec3(point_m)).distance_m; };
+  const std::array<double, kSegments + 1> at_joint_m = {distance_m(chain.p0), distance_m(chain.p1), distance_m(chain.p2),
+                                                        distance_m(chain.p3), distance_m(chain.p4)};
+  std::array<double, kSegments> depth{};
+  const double segment_m = 0.25 * kMostStretched * length_m;
+  for (int i = 0; i < kSegments; ++i) {
+    // No distance changes by more than the way.
+    if (at_joint_m[i] + at_joint_m[i + 1] > segment_m) continue;
+    const Kernels::BladeCurve piece = Kernels{}.chain_piece(chain, 0.25f * static_cast<float>(i) + 0.125f);
+    const auto at_m = [&](double t) {
+      return distance_m(Kernels{}.hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m,
+                                                static_cast<float>(t)));
+    };
+    constexpr double kSpacing = 1.0 / kPointsPerSegment;
+    double nearest = 0.0, least_m = 1e30;
+    for (int n = i == 0 ? 1 : 0; n <= kPointsPerSegment; ++n) {
+      const double here_m = at_m(n * kSpacing);
+      if (here_m < least_m) {
+        least_m = here_m;
+        nearest = n * kSpacing;
+      }
+    }
+    if (least_m < kLookCloserM) {
+      const double t = least(std::max(nearest - kSpacing, 0.0), std::min(nearest + kSpacing, 1.0), at_m);
+      least_m = std::min(least_m, at_m(t));
+    }
+    depth[i] = std::max(-least_m, 0.0);
+  }
+  return depth;
+}
+
 template <typename Shape>
 class BentBlade {
  public:
@@ -95,39 +129,7 @@ class BentBlade {
     return {vector_of(turn_[0]), vector_of(turn_[1]), vector_of(turn_[2]), vector_of(turn_[3])};
   }
 
-  /// How deep the deepest point of each segment of the drawn curve is in the solid, at least 0.
-  std::array<double, kSegments> depths_m() const {
-    const Kernels::BladeChain chain = drawn();
-    const auto distance_m = [&](glm::vec3 point_m) { return separation(solid_, glm::dvec3(point_m)).distance_m; };
-    const std::array<double, kSegments + 1> at_joint_m = {distance_m(chain.p0), distance_m(chain.p1), distance_m(chain.p2),
-                                                          distance_m(chain.p3), distance_m(chain.p4)};
-    std::array<double, kSegments> depth{};
-    const double segment_m = 0.25 * kMostStretched * static_cast<double>(blade_.height_m * growth_);
-    for (int i = 0; i < kSegments; ++i) {
-      // No distance changes by more than the way.
-      if (at_joint_m[i] + at_joint_m[i + 1] > segment_m) continue;
-      const Kernels::BladeCurve piece = Kernels{}.chain_piece(chain, 0.25f * static_cast<float>(i) + 0.125f);
-      const auto at_m = [&](double t) {
-        return distance_m(Kernels{}.hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m,
-                                                  static_cast<float>(t)));
-      };
-      constexpr double kSpacing = 1.0 / kPointsPerSegment;
-      double nearest = 0.0, least_m = 1e30;
-      for (int n = i == 0 ? 1 : 0; n <= kPointsPerSegment; ++n) {
-        const double here_m = at_m(n * kSpacing);
-        if (here_m < least_m) {
-          least_m = here_m;
-          nearest = n * kSpacing;
-        }
-      }
-      if (least_m < kLookCloserM) {
-        const double t = least(std::max(nearest - kSpacing, 0.0), std::min(nearest + kSpacing, 1.0), at_m);
-        least_m = std::min(least_m, at_m(t));
-      }
-      depth[i] = std::max(-least_m, 0.0);
-    }
-    return depth;
-  }
+  std::array<double, kSegments> depths_m() const { return prairie::depths_m(solid_, drawn(), length_m()); }
 
   /// Turns one rod after the other, with all above it, until each is as far from the solid as it should be.
   void clear(const std::array<double, kSegments>& margin_m) {
@@ -154,6 +156,7 @@ class BentBlade {
   Kernels::BladeChain drawn() const {
     return Kernels{}.turned_chain_over(blade_, rest_, growth_, turns(), glm::vec3(up_), least_rise_);
   }
+  double length_m() const { return static_cast<double>(blade_.height_m * growth_); }
   glm::dvec3 direction(int i) const { return turn_[i] * relaxed_[i]; }
   glm::dvec3 on_ground(glm::dvec3 v) const { return v - up_ * glm::dot(up_, v); }
 
@@ -202,13 +205,18 @@ bool bent_out_of(const Shape& solid, const Blade& blade, const Kernels::BladeCur
   const double length_m = static_cast<double>(blade.height_m * growth);
   const double root_m = separation(solid, glm::dvec3(rest.base_m)).distance_m;
   if (root_m > length_m * 1.05) return false;
+  const bool is_under = root_m < kUnseenM;
+  std::array<double, kSegments> depth_m{}, margin_m{};
+  const auto deepest = [&] { return *std::max_element(depth_m.begin(), depth_m.end()); };
+  if (!is_under) {
+    // Most of those near a solid are clear of it.
+    depth_m = depths_m(solid, Kernels{}.turned_chain_over(blade, rest, growth, motion.turn, up, least_rise), length_m);
+    if (deepest() <= kAllowedDepthM) return false;
+  }
   BentBlade<Shape> bent(solid, blade, rest, growth, glm::normalize(glm::dvec3(up)), least_rise, motion);
-  if (root_m < kUnseenM) {
+  if (is_under) {
     bent.lay_down();
   } else {
-    std::array<double, kSegments> depth_m = bent.depths_m(), margin_m{};
-    const auto deepest = [&] { return *std::max_element(depth_m.begin(), depth_m.end()); };
-    if (deepest() <= kAllowedDepthM) return false;
     for (int round = 0; round < kRounds && deepest() > kAllowedDepthM; ++round) {
       bent.clear(margin_m);
       depth_m = bent.depths_m();

@@ -40,7 +40,10 @@ SolidMesh icosahedron() {
     for (std::size_t b = a + 1; b < mesh.vertices.size(); ++b) {
       for (std::size_t c = b + 1; c < mesh.vertices.size(); ++c) {
         if (!neighbours(a, b) || !neighbours(b, c) || !neighbours(c, a)) continue;
-        for (const std::size_t n : {a, b, c}) mesh.indices.push_back(static_cast<std::uint16_t>(n));
+        const auto place = [&](std::size_t n) { return mesh.vertices[n].place; };
+        const bool is_outward = glm::dot(glm::cross(place(b) - place(a), place(c) - place(a)), place(a)) > 0.0f;
+        for (const std::size_t n : {a, is_outward ? b : c, is_outward ? c : b})
+          mesh.indices.push_back(static_cast<std::uint16_t>(n));
       }
     }
   }

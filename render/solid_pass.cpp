@@ -59,13 +59,21 @@ SolidParams params_of(const DrawnSolid& solid, glm::dvec3 eye_m) {
   return params;
 }
 
+double radius_m(const DrawnSolid& solid) {
+  const glm::vec3 half = solid.half_size_m;
+  return static_cast<double>(std::max({half.x, half.y, half.z}));
+}
+
+// How wide a pixel is at its centre.
+double pixel_m(const DrawnSolid& solid, const Camera& camera) {
+  const double distance_m = camera.is_orthographic() ? 1.0 : glm::distance(solid.centre_m, camera.eye_m);
+  return camera.pixel_m() * std::max(distance_m, 1e-3);
+}
+
 std::size_t mesh_of(const DrawnSolid& solid, const Camera& camera) {
   constexpr std::size_t kSpheres = kSphereSubdivisions.size();
   if (solid.shape != DrawnSolid::Shape::kSphere) return kSpheres - 1 + static_cast<std::size_t>(solid.shape);
-  const double distance_m = camera.is_orthographic() ? 1.0 : glm::distance(solid.centre_m, camera.eye_m);
-  const glm::vec3 half = solid.half_size_m;
-  const double radius_px =
-      static_cast<double>(std::max({half.x, half.y, half.z})) / (camera.pixel_m() * std::max(distance_m, 1e-3));
+  const double radius_px = radius_m(solid) / pixel_m(solid, camera);
   std::size_t level = 0;
   while (level < kLeastRadiusPx.size() && radius_px < kLeastRadiusPx[level]) ++level;
   return level;
@@ -138,40 +146,52 @@ SolidPass::SolidPass(std::filesystem::path shader_folder) : shader_folder_(std::
 SolidPass::~SolidPass() = default;
 
 void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, const Camera& camera) {
-  counts_ = {};
+  batches_.clear();
   if (solids.empty()) return;
   if (!device_) device_ = std::make_unique<Device>(shader_folder_);
+  struct Sorted {
+    std::size_t mesh, map_level;
+    const DrawnSolid* solid;
+  };
+  std::vector<Sorted> sorted;
+  for (const DrawnSolid& solid : solids) {
+    const std::size_t mesh = mesh_of(solid, camera);
+    device_->program(shape_of(mesh));  // painting the stones' maps must not come between draws
+    const bool is_stone = solid.shape == DrawnSolid::Shape::kSphere;
+    sorted.push_back({mesh, is_stone ? device_->stone.level_for(radius_m(solid), pixel_m(solid, camera)) : 0, &solid});
+  }
+  std::ranges::stable_sort(sorted, {}, [](const Sorted& one) { return std::pair(one.mesh, one.map_level); });
   std::vector<SolidParams> table;
-  for (std::size_t mesh = 0; mesh < kMeshes; ++mesh) {
-    for (const DrawnSolid& solid : solids) {
-      if (mesh_of(solid, camera) != mesh) continue;
-      table.push_back(params_of(solid, camera.eye_m));
-      ++counts_[mesh];
-    }
-    if (counts_[mesh] > 0) device_->program(shape_of(mesh));  // painting the stones' maps must not come between draws
+  for (const Sorted& one : sorted) {
+    if (batches_.empty() || batches_.back().mesh != one.mesh || batches_.back().map_level != one.map_level)
+      batches_.push_back({one.mesh, one.map_level, static_cast<std::uint32_t>(table.size()), 0});
+    table.push_back(params_of(*one.solid, camera.eye_m));
+    ++batches_.back().count;
   }
   table_ = stream.write(table.data(), table.size() * sizeof(SolidParams));
 }
 
 void SolidPass::draw() {
   triangles_drawn_ = 0;
-  std::uint32_t first = 0;
-  for (std::size_t mesh = 0; mesh < kMeshes; ++mesh) {
-    const std::uint32_t count = counts_[mesh];
-    if (count == 0) continue;
-    const Device::Part& part = device_->parts[mesh];
-    const GLuint program = device_->program(shape_of(mesh));
+  for (const Batch& batch : batches_) {
+    const Device::Part& part = device_->parts[batch.mesh];
+    const GLuint program = device_->program(shape_of(batch.mesh));
     glUseProgram(program);
-    glProgramUniform1ui(program, 0, first);
+    glProgramUniform1ui(program, 0, batch.first);
     glBindVertexArray(device_->vertex_array.get());
-    glBindTextureUnit(1, device_->stone.albedo.get());
-    glBindTextureUnit(2, device_->stone.surface.get());
+    const bool is_stone = shape_of(batch.mesh) == layouts::kSolidSphere;
+    if (is_stone) {
+      glEnable(GL_CULL_FACE);
+      const StoneMap::Level& level = device_->stone.levels[batch.map_level];
+      glBindTextureUnit(1, level.albedo.get());
+      glBindTextureUnit(2, level.surface.get());
+    }
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 5, table_.buffer, table_.offset, table_.bytes);
     glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_SHORT,
                                       reinterpret_cast<const void*>(part.first_index_byte),
-                                      static_cast<GLsizei>(count), part.base_vertex);
-    triangles_drawn_ += std::uint64_t{count} * static_cast<std::uint64_t>(part.indices) / 3;
-    first += count;
+                                      static_cast<GLsizei>(batch.count), part.base_vertex);
+    if (is_stone) glDisable(GL_CULL_FACE);
+    triangles_drawn_ += std::uint64_t{batch.count} * static_cast<std::uint64_t>(part.indices) / 3;
   }
 }
 

@@ -1,14 +1,14 @@
-// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a mesh; a frame without
+// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a mesh and level of detail; a frame without
 // solids costs nothing, and the shaders are compiled when the first one is seen.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "lod/camera.h"
 #include "render/gl_objects.h"
@@ -52,7 +52,12 @@ class SolidPass {
 
   std::filesystem::path shader_folder_;
   std::unique_ptr<Device> device_;  // none until there is something to draw
-  std::array<std::uint32_t, kMeshes> counts_{};
+  /// Solids of one mesh, and stones of one level of their map.
+  struct Batch {
+    std::size_t mesh, map_level;
+    std::uint32_t first, count;
+  };
+  std::vector<Batch> batches_;
   StreamBuffer::Slice table_;
   std::uint64_t triangles_drawn_ = 0;
 };

@@ -16,20 +16,17 @@ layout(location = 0) in vec3 place;
 layout(location = 0) out vec3 on_map;
 layout(location = 1) out vec4 haze_color_and_share;
 layout(location = 2) out vec2 sky_and_sun;
-layout(location = 3) out float level;
-layout(location = 4) flat out vec3 sun_on_map;
-layout(location = 5) flat out vec3 up_on_map;
+layout(location = 3) flat out vec3 sun_on_map;
+layout(location = 4) flat out vec3 up_on_map;
 
 void main() {
   SolidParams solid = solids[first_solid + uint(gl_InstanceID)];
-  float radius_m = solid.half_size_m.x;
   mat3 body_from_scene = transpose(scene_from_body(solid));
   on_map = turned_by_seed(place, solid.seed);
   sun_on_map = turned_by_seed(body_from_scene * frame.sun_direction, solid.seed);
   up_on_map = turned_by_seed(body_from_scene * vec3(0.0, 0.0, 1.0), solid.seed);
   float depth = solid.outline_roughness > 0.0 ? solid.outline_roughness * stone_dent_at(on_map) : 0.0;
   vec3 from_eye_m = solid.centre_from_eye_m + scene_from_body(solid) * (place * solid.half_size_m * (1.0 - depth));
-  level = stone_level(radius_m, frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * length(from_eye_m));
   sky_and_sun = open_to_light(solid, from_eye_m);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);

@@ -14,8 +14,3 @@ vec3 turned_by_seed(vec3 v, uint seed) {
 
 // How deep the surface lies under the sphere, 0 to 1.
 float stone_dent_at(vec3 on_map) { return textureLod(stone_surface_map, octahedral_place(on_map), 0.0).w; }
-
-// The level of the maps for a stone of that radius. The square is four radii wide in the mean; its folds have no derivatives.
-float stone_level(float radius_m, float pixel_m) {
-  return log2(max(0.25 * pixel_m / radius_m * float(textureSize(stone_albedo_map, 0).x), 1.0e-3));
-}

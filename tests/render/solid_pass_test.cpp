@@ -11,6 +11,7 @@
 #include "render/light.h"
 #include "render/render_target.h"
 #include "render/renderer.h"
+#include "render/solid_mesh.h"
 #include "tests/render/covered_pixels.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
@@ -66,6 +67,17 @@ class SolidPassTest : public HeadlessTest {
 
   TemporaryFolder folder_;
 };
+
+TEST(SphereMesh, AllTrianglesFaceOutward) {
+  for (const int subdivisions : {0, 1, 4}) {
+    const SolidMesh mesh = sphere_mesh(subdivisions);
+    for (std::size_t n = 0; n < mesh.indices.size(); n += 3) {
+      const glm::vec3 a = mesh.vertices[mesh.indices[n]].place, b = mesh.vertices[mesh.indices[n + 1]].place,
+                      c = mesh.vertices[mesh.indices[n + 2]].place;
+      ASSERT_GT(glm::dot(glm::cross(b - a, c - a), a), 0.0f) << "those that face away are not drawn";
+    }
+  }
+}
 
 TEST_F(SolidPassTest, SmoothSphereHasItsOutline) {
   const World world = open_world(dark_ground_scene(folder_, false));
