@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "animation/condition_window.h"
+#include "animation/eye_windows.h"
 #include "animation/virtual_blades.h"
 #include "animation/wind.h"
 
@@ -39,6 +41,10 @@ class Sway {
   /// Moves the windows along.
   void follow(glm::dvec2 eye_m);
 
+  /// Blades become as stiff as those of the ground beneath them in these conditions, from where and as they move now. The
+  /// windows have to lie around the same eye.
+  void stiffen(const ConditionWindow& conditions);
+
   /// Moves all blades on to `to_s` in the wind of that time.
   void step(const Wind& wind, double to_s, float dt_s);
 
@@ -64,7 +70,6 @@ class Sway {
   void blow(Level& level, const Wind& wind, double time_s);
   void paint();
   void paint_level(std::size_t level);
-  glm::vec4 sampled(int layer, std::size_t level, glm::dvec2 position_m) const;
   std::span<glm::vec4> layer(int index);
   int tip_layer(std::size_t level) const;
 
@@ -73,10 +78,5 @@ class Sway {
   std::vector<Level> levels_;
   std::vector<glm::vec4> image_;
 };
-
-/// Where a window of half width `half_m` begins to fade into what lies around it, and where it has; by the distance from
-/// the centre along the farther axis.
-double fade_start_m(double half_m);
-double fade_end_m(double half_m);
 
 }  // namespace prairie
