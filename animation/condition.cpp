@@ -72,7 +72,8 @@ void check(const Condition& condition, const std::string& name) {
 }
 
 double end_s(const Condition& condition) {
-  return condition.duration_s > 0.0 ? condition.start_s + condition.duration_s : std::numeric_limits<double>::infinity();
+  return condition.duration_s > 0.0 ? condition.start_s + condition.duration_s
+                                    : std::numeric_limits<double>::infinity();
 }
 
 std::optional<PresentCondition> present_condition(const Condition& condition, double time_s) {

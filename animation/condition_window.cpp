@@ -12,7 +12,9 @@ constexpr int kNodeSide = kNodesPerTexel * kSide + 1;
 
 /// The nodes of a window.
 NodeBlock nodes_of(std::size_t level, glm::ivec2 corner) {
-  return {{kNodesPerTexel * corner.x, kNodesPerTexel * corner.y}, kNodeSide, kNodeSide,
+  return {{kNodesPerTexel * corner.x, kNodesPerTexel * corner.y},
+          kNodeSide,
+          kNodeSide,
           window_texel_m(level) / kNodesPerTexel};
 }
 
@@ -26,7 +28,8 @@ GrassCondition condition_of(glm::vec4 texel) {
 
 }  // namespace
 
-ConditionWindow::ConditionWindow(glm::dvec2 eye_m) : centre_m_(eye_m), image_(kWindowLevels * kWindowTexels, glm::vec4(1.0f)) {
+ConditionWindow::ConditionWindow(glm::dvec2 eye_m)
+    : centre_m_(eye_m), image_(kWindowLevels * kWindowTexels, glm::vec4(1.0f)) {
   for (std::size_t index = 0; index < kWindowLevels; ++index)
     levels_[index] = {window_corner(index, eye_m), {}, std::vector<GrassCondition>(kWindowTexels)};
 }
@@ -63,13 +66,12 @@ void ConditionWindow::fill(std::size_t index, Level& level) {
   fill_conditions(level.covered_by, nodes, values);
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
-      const GrassCondition* node =
-          &values[static_cast<std::size_t>(kNodesPerTexel * (row * kNodeSide + column))];
+      const GrassCondition* node = &values[static_cast<std::size_t>(kNodesPerTexel * (row * kNodeSide + column))];
       const auto across = [](const GrassCondition* west) {
         return 0.25f * texel_of(west[0]) + 0.5f * texel_of(west[1]) + 0.25f * texel_of(west[2]);
       };
-      level.texels[window_index(level.corner.x + column, level.corner.y + row)] = condition_of(
-          0.25f * across(node) + 0.5f * across(node + kNodeSide) + 0.25f * across(node + 2 * kNodeSide));
+      level.texels[window_index(level.corner.x + column, level.corner.y + row)] =
+          condition_of(0.25f * across(node) + 0.5f * across(node + kNodeSide) + 0.25f * across(node + 2 * kNodeSide));
     }
   }
 }
@@ -81,7 +83,7 @@ void ConditionWindow::paint() {
                    texel_of);
   }
   // From the coarsest down: each fades into the one before.
-  glm::vec4* coarser = nullptr;
+  const glm::vec4* coarser = nullptr;
   for (std::size_t index = kWindowLevels; index-- > 0;) {
     glm::vec4* const torus = &image_[index * kWindowTexels];
     fade_window(index, centre_m_, {&torus, 1}, {&coarser, 1});

@@ -1,9 +1,9 @@
 // Windows around the eye that hold a field as textures: layouts::kSwayLevels of them, of side × side texels that are
 // kSwayCoarsening times as large from one to the next, finest first. Texels lie on a fixed lattice of the ground, texel
-// (i, j) covering [i, i + 1) × [j, j + 1) · window_texel_m; a window is kept as a torus, (i mod side, j mod side), row by row
-// from the south, so that a texture of it that repeats is sampled at position / (side · texel). Near its border each window
-// fades into the next coarser one and the last into its mean, so that neither grass nor the eye's steps show where one ends,
-// and a shader picks one window and needs no blend.
+// (i, j) covering [i, i + 1) × [j, j + 1) · window_texel_m; a window is kept as a torus, (i mod side, j mod side), row
+// by row from the south, so that a texture of it that repeats is sampled at position / (side · texel). Near its border
+// each window fades into the next coarser one and the last into its mean, so that neither grass nor the eye's steps
+// show where one ends, and a shader picks one window and needs no blend.
 #pragma once
 
 #include <array>
@@ -27,8 +27,8 @@ double window_half_m(std::size_t level);
 std::size_t window_index(int i, int j);
 /// The south-western texel of the window around an eye.
 glm::ivec2 window_corner(std::size_t level, glm::dvec2 eye_m);
-/// Where a window of half width `half_m` begins to fade into what lies around it, and where it has; by the distance from
-/// the centre along the farther axis.
+/// Where a window of half width `half_m` begins to fade into what lies around it, and where it has; by the distance
+/// from the centre along the farther axis.
 double fade_start_m(double half_m);
 double fade_end_m(double half_m);
 

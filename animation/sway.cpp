@@ -18,14 +18,12 @@ constexpr std::size_t kLevels = kWindowLevels;
 
 }  // namespace
 
-Sway::Sway(std::vector<SwaySpecies> species, glm::dvec2 eye_m)
-    : species_(std::move(species)), centre_m_(eye_m) {
+Sway::Sway(std::vector<SwaySpecies> species, glm::dvec2 eye_m) : species_(std::move(species)), centre_m_(eye_m) {
   std::vector<ChainTraits> traits;
   for (const SwaySpecies& one : species_) traits.push_back(one.traits);
   for (std::size_t level = 0; level < kLevels; ++level) {
     levels_.push_back({VirtualBlades(traits, kSide, window_texel_m(level), eye_m),
-                       std::vector<glm::vec2>(std::size_t{kSide + 1} * (kSide + 1)),
-                       std::vector<glm::vec3>(kTexels)});
+                       std::vector<glm::vec2>(std::size_t{kSide + 1} * (kSide + 1)), std::vector<glm::vec3>(kTexels)});
   }
   image_.resize(static_cast<std::size_t>(layer_count()) * kTexels);
 }

@@ -2,9 +2,9 @@
 // (animation/virtual_blades.h), as the texture that all tiers read. Near its border each window fades into the next
 // coarser one and the last into its mean, so that neither blades nor the eye's steps show where one ends.
 //
-// Layers of the texture, each side × side texels of four floats, rows from the torus' first: for each level, finest first,
-// and each species four layers (VirtualTexel's segments); then for each level one with the mean displacement of tips over
-// the species, as a share of their length, in xyz.
+// Layers of the texture, each side × side texels of four floats, rows from the torus' first: for each level, finest
+// first, and each species four layers (VirtualTexel's segments); then for each level one with the mean displacement of
+// tips over the species, as a share of their length, in xyz.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -41,8 +41,8 @@ class Sway {
   /// Moves the windows along.
   void follow(glm::dvec2 eye_m);
 
-  /// Blades become as stiff as those of the ground beneath them in these conditions, from where and as they move now. The
-  /// windows have to lie around the same eye.
+  /// Blades become as stiff as those of the ground beneath them in these conditions, from where and as they move now.
+  /// The windows have to lie around the same eye.
   void stiffen(const ConditionWindow& conditions);
 
   /// Moves all blades on to `to_s` in the wind of that time.

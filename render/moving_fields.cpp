@@ -72,8 +72,8 @@ void MovingFields::show_conditions(const ConditionWindow& conditions) {
   if (conditions.revision() == conditions_revision_) return;
   conditions_revision_ = conditions.revision();
   if (conditions_.get() == 0) conditions_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layouts::kSwayLevels);
-  glTextureSubImage3D(conditions_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide, layouts::kSwayLevels, GL_RGBA,
-                      GL_FLOAT, conditions.image().data());
+  glTextureSubImage3D(conditions_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide, layouts::kSwayLevels,
+                      GL_RGBA, GL_FLOAT, conditions.image().data());
 }
 
 void MovingFields::bind() const {

@@ -1,5 +1,5 @@
-// A shader program as it is needed for grass that stands still, sways or has been trodden, and for grass that something has come
-// over. Each is made when it is first asked for: compiling is what takes longest when the program starts.
+// A shader program as it is needed for grass that stands still, sways or has been trodden, and for grass that something
+// has come over. Each is made when it is first asked for: compiling is what takes longest when the program starts.
 #pragma once
 
 #include <array>

@@ -34,8 +34,7 @@ Condition read_condition(TableReader& table) {
   condition.radius_m = table.any_number("radius_m").value_or(condition.radius_m);
   // A small disc is all edge.
   condition.edge_m = table.any_number("edge_m").value_or(std::min(condition.edge_m, condition.radius_m));
-  for (const auto& [key, member] : kNumberKeys)
-    condition.*member = table.any_number(key).value_or(condition.*member);
+  for (const auto& [key, member] : kNumberKeys) condition.*member = table.any_number(key).value_or(condition.*member);
   condition.color_factor = table.color("color_factor", {0.0, 4.0}).value_or(condition.color_factor);
   table.refuse_unknown_keys();
   check_by(table, ": ", [&] { check(condition, ""); });

@@ -1,5 +1,6 @@
-// What time moves in a world: the wind, the trodden grass, what comes over the grass, and around the eye that watches, the
-// swaying of blades (design.md, D4). A step is the same for any number of threads, and any state can be taken out, kept and restored.
+// What time moves in a world: the wind, the trodden grass, what comes over the grass, and around the eye that watches,
+// the swaying of blades (design.md, D4). A step is the same for any number of threads, and any state can be taken out,
+// kept and restored.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,8 @@ inline double seconds_of(std::int64_t ticks) {
   return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
 }
 
-/// All that changes but the camera's wake and winds and conditions that were spawned or set, which belong to a person at a
-/// window; plain data.
+/// All that changes but the camera's wake and winds and conditions that were spawned or set, which belong to a person at
+/// a window; plain data.
 struct MotionState {
   std::int64_t ticks = 0;
   TreadState treading;

@@ -4,8 +4,8 @@
 //
 // Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03 §3.3); both have the
 // same pose, and the first turns into the second over a band of distances. And each with MOVING, where wind blows, and with
-// TRODDEN besides, where something has trodden; where conditions may have come over the grass with CONDITIONED; for cells with
-// blades that move by themselves also with TOUCHED.
+// TRODDEN besides, where something has trodden; where conditions may have come over the grass with CONDITIONED; for cells
+// with blades that move by themselves also with TOUCHED.
 #ifdef MOVING
 #define SWAYING_BLADES
 #endif

@@ -102,8 +102,10 @@ void main() {
   color_factor *= condition_at(foot_m.xy).rgb;
 #endif
   vec3 top_m = foot_m + upward * (height_m * grown);
-  uint foot_radiance = radiance_at(foot_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
-  uint top_radiance = radiance_at(top_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
+  uint foot_radiance =
+      radiance_at(foot_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
+  uint top_radiance =
+      radiance_at(top_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
 
   // Which of its faces is seen: south, east, north or west.
   bool is_east_west = (side & 1) == 0;

@@ -87,9 +87,9 @@ TEST(ConditionTest, OverlappingOnesAreAveraged) {
     const char* what;
     glm::dvec2 place_m;
   };
-  for (const auto& [what, place_m] : {Case{"both in full", {4.0, 0.0}}, Case{"one at its edge", {-1.0, 0.0}},
-                                      Case{"both at their edges", {4.0, 8.2}}, Case{"one alone", {-4.0, 3.0}},
-                                      Case{"together less than 1", {4.0, 9.0}}}) {
+  for (const auto& [what, place_m] :
+       {Case{"both in full", {4.0, 0.0}}, Case{"one at its edge", {-1.0, 0.0}}, Case{"both at their edges", {4.0, 8.2}},
+        Case{"one alone", {-4.0, 3.0}}, Case{"together less than 1", {4.0, 9.0}}}) {
     const std::vector<double> weights{mask(10.0 - std::hypot(place_m.x, place_m.y)),
                                       mask(10.0 - std::hypot(place_m.x - 8.0, place_m.y))};
     expect_near(grass_at(two, place_m), expected(two, weights), what);

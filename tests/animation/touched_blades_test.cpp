@@ -186,7 +186,8 @@ TEST(TouchedBlades, AreTheSameForAnyNumberOfThreadsAndAfterARestore) {
 // In calm air, where blades do not sway at a frequency of their own.
 TEST(TouchedBlades, SwingInFrostAsAStifferSpecies) {
   ConditionWindow frost({12.0, 12.0});
-  frost.show(std::vector<Condition>{{.centre_m = {12.0, 12.0}, .radius_m = 1e5, .stiffness_factor = 4.0}}, {12.0, 12.0}, 0.0);
+  const Condition everywhere{.centre_m = {12.0, 12.0}, .radius_m = 1e5, .stiffness_factor = 4.0};
+  frost.show({&everywhere, 1}, {12.0, 12.0}, 0.0);
   Rolling frozen(0.0), bred(0.0), plain(0.0);
   frozen.conditions = &frost;
   for (PlantedSpecies& planted : bred.meadow.species) planted.species.params.stiffness *= 4.0f;

@@ -47,7 +47,8 @@ Camera camera_on_the_field() {
 }
 
 struct View {
-  explicit View(const std::string& scene) : world(parse_scene(scene, ".", {}), {}), renderer(world, PRAIRIE_TEST_SHADERS) {
+  explicit View(const std::string& scene)
+      : world(parse_scene(scene, ".", {}), {}), renderer(world, PRAIRIE_TEST_SHADERS) {
     world.watch_anew(kPlaceM);
   }
   Picture picture(Tier tier, int samples) { return renderer.render(camera_on_the_field(), {.tier = tier}, samples); }
@@ -67,7 +68,8 @@ class ConditionTiersTest : public HeadlessTest {};
 
 TEST_F(ConditionTiersTest, ColoursAllTiersAlike) {
   constexpr glm::dvec3 kFactor{1.5, 0.8, 0.5};
-  const std::string drought = "[[condition]]\ncentre_m = [100, 100]\nradius_m = 90000\ncolor_factor = [1.5, 0.8, 0.5]\n";
+  const std::string drought =
+      "[[condition]]\ncentre_m = [100, 100]\nradius_m = 90000\ncolor_factor = [1.5, 0.8, 0.5]\n";
   struct Case {
     const char* name;
     Tier tier;

@@ -96,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[[condition]]\nradius_m = nan", "condition.0.radius_m", "found nan in line 7"},
         Refusal{"[[condition]]\nradius_m = \"a\"", "condition.0.radius_m", "a number"},
         Refusal{"[[condition]]\nradius_m = 3\nradius_m = 4", "line 8, column 12", "redefine"},
-        Refusal{"[[condition]]\nradius_m = 4\nedge_m = 5", "condition.0.edge_m", "found 5 in line 8, expected 0.01 to 4"},
+        Refusal{"[[condition]]\nradius_m = 4\nedge_m = 5", "condition.0.edge_m",
+                "found 5 in line 8, expected 0.01 to 4"},
         Refusal{"[[condition]]\nedge_m = 0", "condition.0.edge_m", "found 0 in line 7"},
         Refusal{"[[condition]]\n[[condition]]\nstart_s = inf", "condition.1.start_s", "found inf in line 8"},
         Refusal{"[[condition]]\nduration_s = -1", "condition.0.duration_s", "found -1"},
@@ -165,7 +166,8 @@ TEST(ConditionWorld, FrostHoldsTheSwardStill) {
     }
     return most;
   };
-  const float plain = farthest_tip(""), frozen = farthest_tip("[[condition]]\ncentre_m = [12, 8]\nstiffness_factor = 4\n");
+  const float plain = farthest_tip(""),
+              frozen = farthest_tip("[[condition]]\ncentre_m = [12, 8]\nstiffness_factor = 4\n");
   EXPECT_LT(frozen, 0.4f * plain);
   EXPECT_GT(frozen, 0.1f * plain);
 }
