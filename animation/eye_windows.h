@@ -27,6 +27,7 @@ double window_half_m(std::size_t level);
 std::size_t window_index(int i, int j);
 /// The south-western texel of the window around an eye.
 glm::ivec2 window_corner(std::size_t level, glm::dvec2 eye_m);
+
 /// Where a window of half width `half_m` begins to fade into what lies around it, and where it has; by the distance
 /// from the centre along the farther axis.
 double fade_start_m(double half_m);

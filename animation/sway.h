@@ -1,6 +1,6 @@
 // Wind and inertia of virtual blades (B11 §3.3) for all that is seen: windows of rising texel size around the eye
-// (animation/virtual_blades.h), as the texture that all tiers read. Near its border each window fades into the next
-// coarser one and the last into its mean, so that neither blades nor the eye's steps show where one ends.
+// (animation/virtual_blades.h), as the texture that all tiers read; they fade into one another
+// (animation/eye_windows.h).
 //
 // Layers of the texture, each side × side texels of four floats, rows from the torus' first: for each level, finest
 // first, and each species four layers (VirtualTexel's segments); then for each level one with the mean displacement of
