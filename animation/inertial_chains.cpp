@@ -88,6 +88,11 @@ void InertialChains::set_wind(std::size_t blade, glm::vec3 wind_m_per_s) {
   for (int axis = 0; axis < 3; ++axis) block.wind_m_per_s[axis][blade % kBlades] = wind_m_per_s[axis];
 }
 
+void InertialChains::set_stiffness(std::size_t blade, float stiffness) {
+  assert(blade < size_ && stiffness > 0.0f);
+  blocks_[blade / kBlades].stiffness[blade % kBlades] = stiffness;
+}
+
 ChainVectors InertialChains::directions(std::size_t blade) const {
   return Kernels{}.chain_directions(rest(blade), motion(blade).turn);
 }

@@ -33,6 +33,7 @@ class InertialChains {
   void set_motion(std::size_t blade, const ChainMotion& motion);
   glm::vec3 wind_m_per_s(std::size_t blade) const;
   void set_wind(std::size_t blade, glm::vec3 wind_m_per_s);
+  void set_stiffness(std::size_t blade, float stiffness);
 
   /// Directions of the segments, unit vectors, bottom-up.
   ChainVectors directions(std::size_t blade) const;

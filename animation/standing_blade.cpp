@@ -31,8 +31,11 @@ StandingBlade standing_blade(const Surroundings& around, TileId tile, const Cell
   found.curve = kernels.pressed_curve(grown, found.blade.height_m, found.normal, pressing);
   found.least_rise = kernels.lowest_rise(kernels.lying_share(pressing));
   found.rest = kernels.chain_rest(found.curve).along;
+  // A blade's own swaying keeps its pace: a change of frequency would throw it out of its phase.
+  found.stiffness = found.blade.stiffness;
+  if (around.conditions != nullptr) found.stiffness *= around.conditions->at(found.place_m).stiffness_factor;
   found.virtual_turn =
-      kernels.virtual_turns(found.rest, load, 1.0f / std::max(found.blade.stiffness, kernels.softest_chain()));
+      kernels.virtual_turns(found.rest, load, 1.0f / std::max(found.stiffness, kernels.softest_chain()));
   return found;
 }
 

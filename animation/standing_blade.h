@@ -5,6 +5,7 @@
 #include <span>
 
 #include "animation/chain_block.h"
+#include "animation/condition_window.h"
 #include "animation/sway.h"
 #include "animation/treading.h"
 #include "animation/wind.h"
@@ -20,6 +21,7 @@ struct Surroundings {
   const Treading& treading;
   const Sway* sway;
   double time_s;
+  const ConditionWindow* conditions = nullptr;  // null where nothing has come over the grass
 };
 
 /// Positions are relative to the tile's corner and base, as the blade's.
@@ -30,6 +32,7 @@ struct StandingBlade {
   ChainVectors rest;          // directions of its segments
   ChainVectors virtual_turn;  // from those, under wind and weight
   float least_rise;           // Kernels::lowest_rise
+  float stiffness;            // in the condition that it is in
   glm::dvec2 place_m;         // in the scene
   const ChainTraits* species;
 

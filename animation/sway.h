@@ -1,10 +1,10 @@
 // Wind and inertia of virtual blades (B11 §3.3) for all that is seen: windows of rising texel size around the eye
-// (animation/virtual_blades.h), as the texture that all tiers read. Near its border each window fades into the next
-// coarser one and the last into its mean, so that neither blades nor the eye's steps show where one ends.
+// (animation/virtual_blades.h), as the texture that all tiers read; they fade into one another
+// (animation/eye_windows.h).
 //
-// Layers of the texture, each side × side texels of four floats, rows from the torus' first: for each level, finest first,
-// and each species four layers (VirtualTexel's segments); then for each level one with the mean displacement of tips over
-// the species, as a share of their length, in xyz.
+// Layers of the texture, each side × side texels of four floats, rows from the torus' first: for each level, finest
+// first, and each species four layers (VirtualTexel's segments); then for each level one with the mean displacement of
+// tips over the species, as a share of their length, in xyz.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "animation/condition_window.h"
+#include "animation/eye_windows.h"
 #include "animation/virtual_blades.h"
 #include "animation/wind.h"
 
@@ -39,6 +41,10 @@ class Sway {
   /// Moves the windows along.
   void follow(glm::dvec2 eye_m);
 
+  /// Blades become as stiff as those of the ground beneath them in these conditions, from where and as they move now.
+  /// The windows have to lie around the same eye.
+  void stiffen(const ConditionWindow& conditions);
+
   /// Moves all blades on to `to_s` in the wind of that time.
   void step(const Wind& wind, double to_s, float dt_s);
 
@@ -64,7 +70,6 @@ class Sway {
   void blow(Level& level, const Wind& wind, double time_s);
   void paint();
   void paint_level(std::size_t level);
-  glm::vec4 sampled(int layer, std::size_t level, glm::dvec2 position_m) const;
   std::span<glm::vec4> layer(int index);
   int tip_layer(std::size_t level) const;
 
@@ -73,10 +78,5 @@ class Sway {
   std::vector<Level> levels_;
   std::vector<glm::vec4> image_;
 };
-
-/// Where a window of half width `half_m` begins to fade into what lies around it, and where it has; by the distance from
-/// the centre along the farther axis.
-double fade_start_m(double half_m);
-double fade_end_m(double half_m);
 
 }  // namespace prairie

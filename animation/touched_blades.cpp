@@ -134,7 +134,7 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
       ChainTraits traits = *now.species;
       // The same wind bends stiff and soft blades of a species alike, as it does in the virtual model.
       traits.drag *= now.blade.stiffness / traits.stiffness;
-      traits.stiffness = now.blade.stiffness;
+      traits.stiffness = now.stiffness;
       traits.half_segment_m = now.blade.height_m / 8.0f;
       chains.plant(n, now.rest, traits);
       chains.set_motion(n, blade.motion);

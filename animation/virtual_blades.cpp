@@ -58,7 +58,7 @@ VirtualBlades::VirtualBlades(std::vector<ChainTraits> species, int side, double 
   corner_ = corner_around(eye_m);
   const glm::vec3 up(0.0f, 0.0f, 1.0f);
   for (const ChainTraits& traits : species) {
-    Stand stand{InertialChains(texel_count()), std::vector<VirtualTexel>(texel_count())};
+    Stand stand{traits.stiffness, InertialChains(texel_count()), std::vector<VirtualTexel>(texel_count())};
     for (std::size_t n = 0; n < texel_count(); ++n) stand.blades.plant(n, {up, up, up, up}, traits);
     species_.push_back(std::move(stand));
   }
@@ -106,6 +106,10 @@ void VirtualBlades::follow(glm::dvec2 eye_m) {
       stand.texels[n] = overlap ? stand.texels[nearest] : VirtualTexel{};
     }
   }
+}
+
+void VirtualBlades::stiffen(std::size_t index, float factor) {
+  for (Stand& stand : species_) stand.blades.set_stiffness(index, factor * stand.stiffness);
 }
 
 void VirtualBlades::set_wind(std::span<const glm::vec3> wind_m_per_s) {

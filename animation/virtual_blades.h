@@ -47,6 +47,9 @@ class VirtualBlades {
   /// stays, they stand still and upright.
   void follow(glm::dvec2 eye_m);
 
+  /// Blades of a texel become so many times as stiff as their species; each keeps its place and its damping ratio.
+  void stiffen(std::size_t index, float factor);
+
   /// Moves all blades on by `dt_s` in a wind for each texel, by index, m/s.
   void step(std::span<const glm::vec3> wind_m_per_s, float dt_s);
 
@@ -72,6 +75,7 @@ class VirtualBlades {
 
  private:
   struct Stand {
+    float stiffness;  // of the species
     InertialChains blades;
     std::vector<VirtualTexel> texels;
   };

@@ -26,29 +26,21 @@ WindNodes wind_nodes_around(glm::dvec2 centre_m, int side, double spacing_m) {
 }
 
 void fill_wind(const Wind& wind, const WindNodes& nodes, double time_s, std::span<glm::vec2> out_m_per_s) {
-  assert(out_m_per_s.size() ==
-         static_cast<std::size_t>(nodes.columns) * static_cast<std::size_t>(nodes.rows));
+  assert(out_m_per_s.size() == nodes.size());
   const glm::dvec2 drift_m = wind.mean.drift_m(time_s);
-  const glm::dvec2 low_m = glm::dvec2(nodes.south_west.i, nodes.south_west.j) * nodes.spacing_m;
+  const glm::dvec2 low_m = nodes.low_m();
 
-  // The columns and rows that each primitive covers now.
+  // The nodes that each primitive covers now.
   struct Part {
     BlowingPrimitive primitive;
-    int first_column, last_column, first_row, last_row;
+    NodeRange range;
   };
   std::vector<Part> parts;
   for (const WindPrimitive& primitive : wind.primitives) {
     const std::optional<BlowingPrimitive> now = blowing(primitive, time_s);
     if (!now) continue;
-    const auto first = [&](double from_m, double at_m) {
-      return static_cast<int>(std::clamp(std::ceil((at_m - from_m) / nodes.spacing_m), 0.0, 1e9));
-    };
-    const auto last = [&](double from_m, double at_m, int count) {
-      return static_cast<int>(std::clamp(std::floor((at_m - from_m) / nodes.spacing_m), -1.0, count - 1.0));
-    };
-    const Part part{*now, first(low_m.x, now->low_m.x), last(low_m.x, now->high_m.x, nodes.columns),
-                    first(low_m.y, now->low_m.y), last(low_m.y, now->high_m.y, nodes.rows)};
-    if (part.first_column <= part.last_column && part.first_row <= part.last_row) parts.push_back(part);
+    const NodeRange range = nodes_in_box(nodes, now->low_m, now->high_m);
+    if (!range.is_empty()) parts.push_back({*now, range});
   }
 
   oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, nodes.rows, 8), [&](const auto& range) {
@@ -69,8 +61,8 @@ void fill_wind(const Wind& wind, const WindNodes& nodes, double time_s, std::spa
           out[static_cast<std::size_t>(column)] += wind.wake->velocity_m_per_s(place_m(column));
       }
       for (const Part& part : parts) {
-        if (row < part.first_row || row > part.last_row) continue;
-        for (int column = part.first_column; column <= part.last_column; ++column) {
+        if (row < part.range.first_row || row > part.range.last_row) continue;
+        for (int column = part.range.first_column; column <= part.range.last_column; ++column) {
           out[static_cast<std::size_t>(column)] += velocity_m_per_s(part.primitive, place_m(column));
         }
       }

@@ -9,7 +9,7 @@
 
 #include "animation/camera_wake.h"
 #include "animation/mean_wind.h"
-#include "animation/node_field.h"
+#include "animation/node_block.h"
 #include "animation/noise_wind.h"
 #include "animation/wind_primitives.h"
 
@@ -25,13 +25,8 @@ struct Wind {
 /// m/s, towards where it blows; a pure function but for the wake, which is that of its last step.
 glm::vec2 wind_m_per_s(const Wind& wind, glm::dvec2 position_m, double time_s);
 
-/// A block of nodes for a texture; node (i, j) lies at (i, j) · spacing_m.
-struct WindNodes {
-  NodeIndex south_west;
-  int columns = 0;
-  int rows = 0;
-  double spacing_m = 1.0;
-};
+/// A block of nodes for a texture.
+using WindNodes = NodeBlock;
 
 /// `side` × `side` nodes around a place, which follow it node by node.
 WindNodes wind_nodes_around(glm::dvec2 centre_m, int side, double spacing_m);

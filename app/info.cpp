@@ -142,6 +142,7 @@ SceneReport describe_scene(const World& world) {
   for (const LoadedMap& map : report.maps) report.map_memory_bytes += map.memory_bytes;
   for (const CameraSpec& camera : world.scene().cameras) report.cameras.push_back(camera.name);
   report.wind = world.scene().wind;
+  report.conditions = world.scene().conditions.size();
   for (std::size_t n = 0; n < world.movers().size(); ++n) {
     const Mover& mover = world.movers()[n];
     report.movers.push_back({world.scene().movers[n].name, mover.path().kind, mover.path().speed_m_per_s,
@@ -180,6 +181,7 @@ void print_text(const SceneReport& report, std::ostream& out) {
   fmt::print(out, "memory    {} for maps\n", readable_bytes(report.map_memory_bytes));
   fmt::print(out, "cameras   {}\n", fmt::join(report.cameras, ", "));
   if (report.wind) fmt::print(out, "wind      {}\n", described(*report.wind));
+  if (report.conditions > 0) fmt::print(out, "grass     {} conditions come over it\n", report.conditions);
   for (const MoverReport& mover : report.movers) {
     fmt::print(out, "mover     {}: {}, {} m/s along {:.1f} m{}\n", mover.name, name_of(mover.kind),
                mover.speed_m_per_s, mover.length_m, mover.loops ? ", round and round" : "");
@@ -211,6 +213,7 @@ void print_json(const SceneReport& report, std::ostream& out) {
   json["cameras"] = report.cameras;
   json["wind"] = nullptr;
   if (report.wind) json["wind"] = json_of(*report.wind);
+  json["conditions"] = report.conditions;
   json["movers"] = nlohmann::ordered_json::array();
   for (const MoverReport& mover : report.movers) {
     json["movers"].push_back({{"name", mover.name},

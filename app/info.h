@@ -41,6 +41,7 @@ struct SceneReport {
   std::uint64_t map_memory_bytes = 0;
   std::vector<std::string> cameras;
   std::optional<WindSpec> wind;
+  std::size_t conditions = 0;
   std::vector<MoverReport> movers;
   std::optional<GeoReference> geo_reference;
   std::vector<std::string> warnings;

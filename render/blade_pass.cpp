@@ -73,8 +73,8 @@ GLuint BladePass::indices_for(std::uint32_t segments) {
 }
 
 void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-                        GrassMotion motion, const TouchedBlades* touched) {
-  motion_ = motion;
+                        GrassVariant variant, const TouchedBlades* touched) {
+  variant_ = variant;
   cells_.clear();
   runs_.clear();
   batches_.clear();
@@ -120,8 +120,8 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
 }
 
 GLuint BladePass::grow_program(const Run& run) {
-  if (run.is_touched) return (run.is_spline ? touched_spline_program_ : touched_hermite_program_).get(motion_);
-  return (run.is_spline ? spline_program_ : hermite_program_).get(motion_);
+  if (run.is_touched) return (run.is_spline ? touched_spline_program_ : touched_hermite_program_).get(variant_);
+  return (run.is_spline ? spline_program_ : hermite_program_).get(variant_);
 }
 
 void BladePass::grow(StreamBuffer& stream, const Batch& batch) {

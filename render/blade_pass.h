@@ -24,7 +24,7 @@ class BladePass {
   /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For grass that is not
   /// still, the moving fields must be bound (render/moving_fields.h).
   void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-               GrassMotion motion = GrassMotion::kStill, const TouchedBlades* touched = nullptr);
+               GrassVariant variant = {}, const TouchedBlades* touched = nullptr);
   /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be bound.
   void draw(StreamBuffer& stream) { draw(stream, draw_program_.get()); }
   /// The same by another program, which takes GrownVertex as vertex attributes 0 and 1.
@@ -71,7 +71,7 @@ class BladePass {
   std::vector<DrawnCell> cells_;
   std::vector<Run> runs_;
   std::vector<Batch> batches_;
-  GrassMotion motion_ = GrassMotion::kStill;
+  GrassVariant variant_;
   const Batch* grown_ = nullptr;  // the batch whose vertices the buffer holds
   std::uint64_t spline_triangles_ = 0;
   std::uint64_t hermite_triangles_ = 0;

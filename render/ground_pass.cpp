@@ -177,7 +177,7 @@ void GroundPass::upload_morphs(const FramePlan& plan) {
                       morph_steps_.data());
 }
 
-void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassMotion motion) {
+void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassVariant variant) {
   ++frame_;
   triangles_drawn_ = 0;
   std::vector<PatchParams> params(kSlots);
@@ -198,7 +198,7 @@ void GroundPass::draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassMotion mo
   patch_params_.upload(std::span<const PatchParams>(params));
   upload_morphs(plan);
 
-  const GLuint program = program_.get(motion);
+  const GLuint program = program_.get(variant);
   glUseProgram(program);
   glProgramUniform1ui(program, 0, kSide);
   glBindVertexArray(vertex_array_.get());

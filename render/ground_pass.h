@@ -24,7 +24,7 @@ class GroundPass {
              std::span<const double> blade_area_from_above_m2);
 
   /// The frame block must be bound, and for grass that is not still the moving fields. `anchor_m`: as in it.
-  void draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassMotion motion);
+  void draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassVariant variant);
   /// Where the mesh's frame has its origin for this eye: whole multiples of the coarsest quad near it, at a
   /// fixed height.
   glm::dvec3 anchor_m(glm::dvec3 eye_m) const;

@@ -7,6 +7,7 @@ namespace {
 
 constexpr GLuint kSwayUnit = 8;
 constexpr GLuint kTreadUnit = 9;
+constexpr GLuint kConditionUnit = 13;
 
 GlTexture make_torus(GLenum format, int side, int layers) {
   GlTexture texture = make_texture(GL_TEXTURE_2D_ARRAY);
@@ -27,13 +28,16 @@ double coarsest_period_m() {
 
 void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame) {
   const std::optional<Sway>& sway = motion.sway();
-  const glm::dvec2 centre_m = sway ? sway->centre_m() : eye_m;
+  const ConditionWindow* conditions = motion.conditions();
+  // Those that sway and those of conditions lie around the same eye.
+  const glm::dvec2 centre_m = sway ? sway->centre_m() : conditions != nullptr ? conditions->centre_m() : eye_m;
   const double period_m = coarsest_period_m();
   frame.field_centre_from_eye_m = glm::vec2(centre_m - eye_m);
   frame.field_centre_m = glm::vec2(centre_m - period_m * glm::floor(centre_m / period_m));
   const double periods = motion.time_s() / static_cast<double>(layouts::kSwayPeriodS);
   frame.sway_time = static_cast<float>(periods - std::floor(periods));
 
+  if (conditions != nullptr) show_conditions(*conditions);
   const bool has_treads = motion.treading().bytes() > 0;
   if (!sway && !has_treads) return;
   // In still air one species of texels at rest stands for all.
@@ -64,9 +68,18 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
   }
 }
 
+void MovingFields::show_conditions(const ConditionWindow& conditions) {
+  if (conditions.revision() == conditions_revision_) return;
+  conditions_revision_ = conditions.revision();
+  if (conditions_.get() == 0) conditions_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layouts::kSwayLevels);
+  glTextureSubImage3D(conditions_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide, layouts::kSwayLevels,
+                      GL_RGBA, GL_FLOAT, conditions.image().data());
+}
+
 void MovingFields::bind() const {
   glBindTextureUnit(kSwayUnit, sway_.get());
   glBindTextureUnit(kTreadUnit, treads_.get());
+  glBindTextureUnit(kConditionUnit, conditions_.get());
 }
 
 }  // namespace prairie

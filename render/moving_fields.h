@@ -1,4 +1,4 @@
-// The fields that move grass around the eye as textures (shaders/pass/moving_fields.glsl).
+// The fields that move grass around the eye and change its look as textures (shaders/pass/moving_fields.glsl).
 #pragma once
 
 #include "animation/tread_window.h"
@@ -15,11 +15,15 @@ class MovingFields {
   void bind() const;
 
  private:
+  void show_conditions(const ConditionWindow& conditions);
+
   GlTexture sway_;
   int sway_layers_ = 0;
   bool shows_sway_ = false;
   GlTexture treads_;
   TreadWindow window_;
+  GlTexture conditions_;
+  std::uint64_t conditions_revision_ = 0;  // of what it holds
 };
 
 }  // namespace prairie

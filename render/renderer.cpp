@@ -120,14 +120,14 @@ struct Renderer::Passes {
     frame = frame_params(*world, plan, look, sward.field());
     frame.tint = options.tier_tint ? 1.0f : 0.0f;
     exposure = frame.exposure;
-    motion = grass_motion(world->motion());
+    variant = grass_variant(world->motion());
     fields.show(world->motion(), glm::dvec2(plan.camera.eye_m), frame);
     show_frame();
     sward.bind();
     fields.bind();
-    blades.prepare(stream, plan, sward.species(), motion, &world->motion().touched());
+    blades.prepare(stream, plan, sward.species(), variant, &world->motion().touched());
     timers.strips.begin();
-    strips.prepare(stream, plan, sward.species(), strip_traits, motion);
+    strips.prepare(stream, plan, sward.species(), strip_traits, variant);
     timers.strips.end();
     solids.prepare(stream, drawn_movers(*world), plan.camera);
     std::vector<WalkerLook> looks = drawn_walkers(*world, plan.camera);
@@ -175,7 +175,7 @@ struct Renderer::Passes {
     walkers.draw();
     timers.solids.end();
     timers.ground.begin();
-    ground->draw(plan, ground->anchor_m(plan.camera.eye_m), motion);
+    ground->draw(plan, ground->anchor_m(plan.camera.eye_m), variant);
     timers.ground.end();
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
@@ -216,7 +216,7 @@ struct Renderer::Passes {
   GlTexture strip_texture;
   std::vector<StripTraits> strip_traits;  // by species
   MovingFields fields;
-  GrassMotion motion = GrassMotion::kStill;
+  GrassVariant variant;
   GlTexture noise_texture = make_noise_texture();
   SkyPass sky;
   FieldOverlayPass field_overlay;

@@ -61,7 +61,7 @@ void StripPass::lay(const Run& run, GLuint program) {
 }
 
 void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-                        std::span<const StripTraits> traits, GrassMotion motion) {
+                        std::span<const StripTraits> traits, GrassVariant variant) {
   const auto tiles = static_cast<std::uint32_t>(plan.strips.size());
   near_ = {0, plan.near_strips, kNearQuads, 0};
   far_ = {plan.near_strips, tiles - plan.near_strips, 1, plan.near_strips * kSides * columns_of(kNearQuads)};
@@ -75,7 +75,7 @@ void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
   glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(StripVertex));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
-  const GLuint lay_program = lay_program_.get(motion);
+  const GLuint lay_program = lay_program_.get(variant);
   glUseProgram(lay_program);
   glBindTextureUnit(0, tiles_.texture());
   glBindTextureUnit(1, traits_.texture());

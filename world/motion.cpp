@@ -20,6 +20,7 @@ namespace {
 constexpr int kWarmUpSteps = 150;
 constexpr std::int64_t kWarmUpTicks = kTicksPerS / 30;
 constexpr std::size_t kMostPrimitives = 256;
+constexpr std::size_t kMostConditions = 256;
 // An eye that jumps farther sees grass that it has not seen before.
 constexpr double kJumpM = 24.0;
 
@@ -60,7 +61,8 @@ Motion::Motion(const Scene& scene, const Meadow& meadow)
     : has_wind_(scene.wind.has_value()),
       species_(sway_species(scene, meadow)),
       wind_(wind_of(scene)),
-      treading_(scene.treading) {
+      treading_(scene.treading),
+      conditions_(scene.conditions) {
   for (const SwaySpecies& one : species_) traits_.push_back(one.traits);
 }
 
@@ -84,7 +86,25 @@ void Motion::set_wind(const MeanWind& mean, const std::optional<NoiseWind>& nois
 }
 
 void Motion::begin_to_sway() {
-  if (eye_m_ && !sway_) sway_.emplace(species_, *eye_m_);
+  if (!eye_m_ || sway_) return;
+  sway_.emplace(species_, *eye_m_);
+  if (conditions() != nullptr) sway_->stiffen(*conditions());
+}
+
+void Motion::spawn(const Condition& condition) {
+  check(condition, "condition");
+  std::erase_if(conditions_, [&](const Condition& old) { return end_s(old) < time_s(); });
+  if (conditions_.size() >= kMostConditions) conditions_.erase(conditions_.begin());
+  conditions_.push_back(condition);
+  show_conditions();
+}
+
+// Blades that sway stand around the same eye.
+void Motion::show_conditions() {
+  if (!eye_m_ || conditions_.empty()) return;
+  if (!condition_window_) condition_window_.emplace(*eye_m_);
+  const bool has_changed = condition_window_->show(conditions_, *eye_m_, time_s());
+  if (has_changed && sway_) sway_->stiffen(*condition_window_);
 }
 
 void Motion::wake(bool stirs) {
@@ -105,8 +125,10 @@ void Motion::watch_anew(glm::dvec2 eye_m) {
   eye_m_ = eye_m;
   sway_.reset();
   touched_ = TouchedBlades();  // those that another eye saw
+  show_conditions();
   if (!blows()) return;
-  sway_.emplace(species_, eye_m);
+  // In what has come over the grass by now, as if it had long been there.
+  begin_to_sway();
   const std::optional<CameraWake> wake = std::exchange(wind_.wake, std::nullopt);  // of another time and place
   for (std::int64_t n = kWarmUpSteps; n-- > 0;)
     sway_->step(wind_, seconds_of(ticks_ - n * kWarmUpTicks), static_cast<float>(seconds_of(kWarmUpTicks)));
@@ -118,10 +140,11 @@ void Motion::watch(glm::dvec2 eye_m) {
   if (has_jumped) return watch_anew(eye_m);
   eye_m_ = eye_m;
   if (sway_) sway_->follow(eye_m);
+  show_conditions();
 }
 
 Surroundings Motion::surroundings(const Meadow& meadow) const {
-  return {meadow, traits_, wind_, treading_, sway_ ? &*sway_ : nullptr, time_s()};
+  return {meadow, traits_, wind_, treading_, sway_ ? &*sway_ : nullptr, time_s(), conditions()};
 }
 
 void Motion::meet(const Meadow& meadow, std::span<const Solid> solids) {
@@ -134,6 +157,7 @@ void Motion::step(const Meadow& meadow, std::int64_t ticks, std::span<const Trea
   ticks_ += ticks;
   const auto dt_s = static_cast<float>(seconds_of(ticks));
   stir();
+  show_conditions();
   if (sway_) sway_->step(wind_, time_s(), dt_s);
   if (eye_m_) touched_.step(surroundings(meadow), solids, *eye_m_, dt_s);
 }
@@ -157,7 +181,6 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
   } else if (state.sway || !state.touched.empty()) {
     throw BadInput("", "eye_m", "moving blades without an eye", "an eye that watches them");
   }
-  std::optional<Sway> sway;
   if (state.sway) {
     const std::size_t count = layouts::kSwayLevels * species_.size() * layouts::kSwaySide * layouts::kSwaySide;
     if (state.sway->motions.size() != count)
@@ -165,8 +188,6 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
                      fmt::format("{}, for this scene's species", count));
     if (state.sway->centre_m != *state.eye_m) throw BadInput("", "sway.centre_m", "another place", "the eye's");
     check_state(*state.sway);
-    sway.emplace(species_, *state.eye_m);
-    sway->restore(*state.sway, wind_, seconds_of(state.ticks));
   }
   TouchedBlades touched;
   touched.restore(state.touched, meadow);
@@ -176,8 +197,14 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
   ticks_ = state.ticks;
   eye_m_ = state.eye_m;
   wake(false);
-  sway_ = std::move(sway);
-  if (eye_m_ && !sway_) watch_anew(*eye_m_);  // in case that by now it blows
+  sway_.reset();
+  if (state.sway) {
+    show_conditions();
+    begin_to_sway();
+    sway_->restore(*state.sway, wind_, time_s());
+  } else if (eye_m_) {
+    watch_anew(*eye_m_);  // in case that by now it blows
+  }
   touched_ = std::move(touched);
   touched_.pose(surroundings(meadow));
 }

@@ -1,5 +1,6 @@
-// What time moves in a world: the wind, the trodden grass, and around the eye that watches, the swaying of blades
-// (design.md, D4). A step is the same for any number of threads, and any state can be taken out, kept and restored.
+// What time moves in a world: the wind, the trodden grass, what comes over the grass, and around the eye that watches,
+// the swaying of blades (design.md, D4). A step is the same for any number of threads, and any state can be taken out,
+// kept and restored.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <span>
 
 #include "agents/mover.h"
+#include "animation/condition_window.h"
 #include "animation/sway.h"
 #include "animation/touched_blades.h"
 #include "animation/treading.h"
@@ -24,8 +26,8 @@ inline double seconds_of(std::int64_t ticks) {
   return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
 }
 
-/// All that changes but the camera's wake and winds that were spawned or set, which belong to a person at a window; plain
-/// data.
+/// All that changes but the camera's wake and winds and conditions that were spawned or set, which belong to a person at
+/// a window; plain data.
 struct MotionState {
   std::int64_t ticks = 0;
   TreadState treading;
@@ -48,11 +50,15 @@ class Motion {
   const std::optional<Sway>& sway() const { return sway_; }
   /// Blades near the eye that movers have touched.
   const TouchedBlades& touched() const { return touched_; }
-  /// Neither wind nor treads: grass looks as it was planted.
-  bool is_still() const { return !sway_ && treading_.bytes() == 0; }
+  /// What has come over the grass around the eye; null where nothing ever does, or as long as nobody watches.
+  const ConditionWindow* conditions() const { return eye_m_ && condition_window_ ? &*condition_window_ : nullptr; }
+  /// Neither wind nor treads nor conditions: grass looks as it was planted.
+  bool is_still() const { return !sway_ && conditions() == nullptr && treading_.bytes() == 0; }
 
   /// From now on it also blows: grass that stood in calm air begins to sway from rest.
   void spawn(const WindPrimitive& primitive);
+  /// From now on it also comes over the grass.
+  void spawn(const Condition& condition);
   /// Replaces the steady wind and its turbulence from now on; primitives stay.
   void set_wind(const MeanWind& mean, const std::optional<NoiseWind>& noise);
 
@@ -80,6 +86,7 @@ class Motion {
   bool blows() const;
   void begin_to_sway();
   void stir();
+  void show_conditions();
   Surroundings surroundings(const Meadow& meadow) const;
 
   std::int64_t ticks_ = 0;
@@ -88,7 +95,9 @@ class Motion {
   std::vector<ChainTraits> traits_;  // the same
   Wind wind_;
   Treading treading_;
+  std::vector<Condition> conditions_;
   std::optional<glm::dvec2> eye_m_;
+  std::optional<ConditionWindow> condition_window_;  // once there, kept: what shows it goes by its revision
   std::optional<Sway> sway_;
   TouchedBlades touched_;
 };

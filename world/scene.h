@@ -16,6 +16,7 @@
 #include "agents/crowd_spec.h"
 #include "agents/mover.h"
 #include "agents/obstacle.h"
+#include "animation/condition.h"
 #include "animation/tread_node.h"
 #include "animation/wind_primitives.h"
 #include "generator/species.h"
@@ -99,6 +100,7 @@ struct Scene {
   SunSpec sun;
   LodSpec lod;
   std::optional<WindSpec> wind;  // none: calm air
+  std::vector<Condition> conditions;
   TreadSettings treading;
   std::vector<MoverSpec> movers;
   StandingThings standing;
@@ -117,6 +119,7 @@ inline constexpr const char* kWindFileField = "wind.file";
 inline constexpr double kMaxDensityPerM2 = 1e5;
 inline constexpr int kMaxSpecies = 16;
 inline constexpr std::size_t kMaxWindPrimitives = 64;
+inline constexpr std::size_t kMaxConditions = 64;
 inline constexpr std::size_t kMaxMovers = 1000;
 inline constexpr std::size_t kMaxPathPoints = 1000;  // of a mover, or of a wall's ring
 inline constexpr std::size_t kMaxObstacles = 10'000;

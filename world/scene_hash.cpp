@@ -134,6 +134,16 @@ void add_wind(CanonicalText& text, const std::optional<WindSpec>& wind,
     std::visit([&](const auto& one) { add_primitive(text, one); }, primitive);
 }
 
+void add_condition(CanonicalText& text, const Condition& condition) {
+  text.add("condition", condition.centre_m);
+  text.add("velocity_m_per_s", condition.velocity_m_per_s);
+  for (const double value : {condition.radius_m, condition.edge_m, condition.start_s, condition.duration_s,
+                             condition.fade_s, condition.stiffness_factor}) {
+    text.add("parameter", value);
+  }
+  text.add("color_factor", condition.color_factor);
+}
+
 void add_treading(CanonicalText& text, const TreadSettings& treading) {
   text.add("spacing_m", treading.spacing_m);
   text.add("reach_radii", treading.reach_radii);
@@ -223,6 +233,7 @@ std::uint64_t scene_hash(const Scene& scene, const std::map<std::string, std::ui
   text.add("quality", static_cast<std::uint64_t>(scene.lod.quality));
   text.add("blade_distance_m", scene.lod.blade_distance_m);
   add_wind(text, scene.wind, content_hashes);
+  for (const Condition& condition : scene.conditions) add_condition(text, condition);
   add_treading(text, scene.treading);
   for (const MoverSpec& mover : scene.movers) add_mover(text, mover);
   for (const Obstacle& obstacle : scene.standing.obstacles)

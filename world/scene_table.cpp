@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 
+#include "world/condition_keys.h"
 #include "world/motion_keys.h"
 #include "world/scene_names.h"
 #include "world/species_keys.h"
@@ -245,6 +246,7 @@ Scene scene_from_table(const toml::table& table, const TomlOrigin& origin,
   if (auto sky = root.table("sky")) read_sky(*sky, scene.sun);
   if (auto lod = root.table("lod")) read_lod(*lod, scene.lod);
   if (auto wind = root.table("wind")) scene.wind = read_wind(*wind, folder);
+  scene.conditions = read_conditions(root);
   if (auto treading = root.table("treading")) scene.treading = read_treading(*treading);
   read_movers(root, scene);
   read_crowd(root, scene);

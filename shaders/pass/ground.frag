@@ -20,6 +20,9 @@ layout(location = 2) in vec3 sward_radiance;
 layout(location = 3) in float depth_per_leaf_area;
 layout(location = 4) in vec4 haze_color_and_share;
 layout(location = 5) in vec4 standing;
+#ifdef CONDITIONED
+layout(location = 6) in vec3 color_factor;
+#endif
 layout(location = 0) out vec4 color;
 
 // The flat map over a pixel's long, narrow footprint, as over a square of the same area: neither does it flicker nor is it
@@ -56,6 +59,9 @@ float cover_left(float optical_depth, vec4 standing, vec2 level_to_eye) {
 void main() {
   vec2 place_m = ground_place_m(from_eye_m);
   vec4 grass = flat_map_over_footprint(flat_map_place(from_eye_m));
+#ifdef CONDITIONED
+  grass.rgb *= color_factor;
+#endif
 
   float grain = 0.65 * filtered_noise(place_m * 9.0) + 0.35 * filtered_noise(place_m * 37.0);
   float patchy = filtered_noise(place_m * 0.9);

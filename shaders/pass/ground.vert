@@ -10,7 +10,7 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/flat_map.glsl"
 
-#ifdef MOVING
+#if defined(MOVING) || defined(CONDITIONED)
 #include "shaders/pass/moving_fields.glsl"
 #endif
 
@@ -35,6 +35,9 @@ layout(location = 2) out vec3 sward_radiance;  // of the mean albedo
 layout(location = 3) out float depth_per_leaf_area;  // optical depth along the line of sight
 layout(location = 4) out vec4 haze_color_and_share;
 layout(location = 5) out vec4 standing;
+#ifdef CONDITIONED
+layout(location = 6) out vec3 color_factor;  // of the sward
+#endif
 
 // How far the tile at a place has morphed, as planned: its blades and strips stand by its middle, not by this vertex.
 float tile_morph(vec3 from_eye_m, float distance_m, float n_dot_r) {
@@ -80,6 +83,9 @@ void main() {
   sward_radiance = sward_color(kMix, view, leaf_area * depth_per_leaf_area, shade);
 #ifdef MOVING
   sward_radiance *= leaning_light(normalize(normal), lean_at(from_eye_m.xy));
+#endif
+#ifdef CONDITIONED
+  color_factor = condition_at(from_eye_m.xy).rgb;
 #endif
   standing = standing_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
   Haze haze = haze_at(from_eye_m);

@@ -4,7 +4,8 @@
 //
 // Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03 §3.3); both have the
 // same pose, and the first turns into the second over a band of distances. And each with MOVING, where wind blows, and with
-// TRODDEN besides, where something has trodden; for cells with blades that move by themselves also with TOUCHED.
+// TRODDEN besides, where something has trodden; where conditions may have come over the grass with CONDITIONED; for cells
+// with blades that move by themselves also with TOUCHED.
 #ifdef MOVING
 #define SWAYING_BLADES
 #endif
@@ -14,7 +15,7 @@
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/tint.glsl"
-#ifdef MOVING
+#if defined(MOVING) || defined(CONDITIONED)
 #include "shaders/pass/moving_fields.glsl"
 #endif
 #ifdef TOUCHED
@@ -120,8 +121,14 @@ void main() {
     blade.ground_m += inner(vec3(ground.slope, 0.0f), vec3(slid_m - blade.root_m, 0.0f));
     blade.root_m = slid_m;
   }
-#ifdef MOVING
+#if defined(MOVING) || defined(CONDITIONED)
   vec2 field_from_eye_m = drawn.eye_from_tile_m.xy + blade.root_m;
+#endif
+#ifdef CONDITIONED
+  vec4 condition = condition_at(field_from_eye_m);
+  features.color *= condition.rgb;
+#endif
+#ifdef MOVING
   Swaying swaying = swaying_at(field_from_eye_m, cell.species);
   vec3 swayed = swayed_tip(swaying);
   vec2 lean = swayed.xy;
@@ -132,12 +139,24 @@ void main() {
   blade.height_m *= worn_length(pressing.wear);
   blade.dryness = lerp(blade.dryness, 1.0f, 0.5f * pressing.wear);
   BladeCurve rest = pose_blade(blade, ground.slope, growth);
-  BladeChain chain = pressed_virtual_pose(blade, rest, growth, with_own_sway(blade, rest, load, swayed, frame.sway_time), normal, pressing);
+  load = with_own_sway(blade, rest, load, swayed, frame.sway_time);
+#ifdef CONDITIONED
+  blade.stiffness *= condition.a;
+#endif
+  BladeChain chain = pressed_virtual_pose(blade, rest, growth, load, normal, pressing);
 #else
   BladeCurve rest = pose_blade(blade, ground.slope, growth);
-  BladeChain chain = virtual_pose(blade, rest, growth, with_own_sway(blade, rest, load, swayed, frame.sway_time));
+  // Before stiffness changes: another frequency of its own would throw a blade out of its phase.
+  load = with_own_sway(blade, rest, load, swayed, frame.sway_time);
+#ifdef CONDITIONED
+  blade.stiffness *= condition.a;
+#endif
+  BladeChain chain = virtual_pose(blade, rest, growth, load);
 #endif
 #else
+#ifdef CONDITIONED
+  blade.stiffness *= condition.a;
+#endif
   BladeChain chain = chain_of(blade, pose_blade(blade, ground.slope, growth), growth);
 #endif
 #ifdef TOUCHED

@@ -1,5 +1,5 @@
-// The fields around the eye that move all tiers (docs/design.md, D4): swaying (animation/sway.h) and treads
-// (animation/tread_window.h).
+// The fields around the eye that move all tiers (docs/design.md, D4): swaying (animation/sway.h), treads
+// (animation/tread_window.h), and what has come over the grass (animation/condition_window.h).
 layout(binding = 8) uniform sampler2DArray sway_texels;
 layout(binding = 9) uniform sampler2DArray tread_texels;
 
@@ -9,7 +9,7 @@ struct FieldPlace {
   int level;
 };
 
-const float kFadedShare = 0.9375;  // of a window's half width: fade_end_m in animation/sway.h
+const float kFadedShare = 0.9375;  // of a window's half width: fade_end_m in animation/eye_windows.h
 
 FieldPlace field_place(vec2 from_eye_m, int levels) {
   vec2 away_m = from_eye_m - frame.field_centre_from_eye_m;
@@ -59,6 +59,16 @@ Pressing pressing_at(vec2 from_eye_m) {
   pressing.tilt_rad = kTreadMostRad * texel.z;
   pressing.wear = texel.w;
   return pressing;
+}
+#endif
+
+#ifdef CONDITIONED
+layout(binding = 13) uniform sampler2DArray condition_texels;
+
+// Factors on the colour of grass there (rgb) and on its stiffness.
+vec4 condition_at(vec2 from_eye_m) {
+  FieldPlace found = field_place(from_eye_m, kSwayLevels);
+  return textureLod(condition_texels, vec3(found.place, float(found.level)), 0.0);
 }
 #endif
 

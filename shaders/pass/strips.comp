@@ -15,7 +15,7 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/sward_look.glsl"
 #include "shaders/pass/tint.glsl"
 #include "shaders/pass/litter.glsl"
-#ifdef MOVING
+#if defined(MOVING) || defined(CONDITIONED)
 #include "shaders/pass/moving_fields.glsl"
 #endif
 
@@ -97,9 +97,15 @@ void main() {
   vec3 upward = vec3(0.0f, 0.0f, 1.0f);
   vec2 lean = vec2(0.0f);
 #endif
+  vec3 color_factor = c.rgb;
+#ifdef CONDITIONED
+  color_factor *= condition_at(foot_m.xy).rgb;
+#endif
   vec3 top_m = foot_m + upward * (height_m * grown);
-  uint foot_radiance = radiance_at(foot_m, normal, lean, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
-  uint top_radiance = radiance_at(top_m, normal, lean, all_per_m2, height_m * grown, blade_height, c.rgb, species_index);
+  uint foot_radiance =
+      radiance_at(foot_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
+  uint top_radiance =
+      radiance_at(top_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
 
   // Which of its faces is seen: south, east, north or west.
   bool is_east_west = (side & 1) == 0;

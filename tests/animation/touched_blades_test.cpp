@@ -32,7 +32,7 @@ struct Rolling {
   }
 
   glm::dvec3 centre_m() const { return {6.0 + 1.5 * std::min(time_s, 5.0), 12.0, kRadiusM}; }
-  Surroundings around() const { return {meadow, traits, wind, treading, sway ? &*sway : nullptr, time_s}; }
+  Surroundings around() const { return {meadow, traits, wind, treading, sway ? &*sway : nullptr, time_s, conditions}; }
 
   void step() {
     const glm::dvec2 from(centre_m());
@@ -49,6 +49,7 @@ struct Rolling {
   Wind wind;
   Treading treading;
   std::optional<Sway> sway;
+  const ConditionWindow* conditions = nullptr;
   TouchedBlades blades;
   double time_s = 0.0;
   bool gone = false;
@@ -180,6 +181,33 @@ TEST(TouchedBlades, AreTheSameForAnyNumberOfThreadsAndAfterARestore) {
   EXPECT_FALSE(one.empty());
   EXPECT_TRUE(one == run(4, false));
   EXPECT_TRUE(one == run(2, true));
+}
+
+// In calm air, where blades do not sway at a frequency of their own.
+TEST(TouchedBlades, SwingInFrostAsAStifferSpecies) {
+  ConditionWindow frost({12.0, 12.0});
+  const Condition everywhere{.centre_m = {12.0, 12.0}, .radius_m = 1e5, .stiffness_factor = 4.0};
+  frost.show({&everywhere, 1}, {12.0, 12.0}, 0.0);
+  Rolling frozen(0.0), bred(0.0), plain(0.0);
+  frozen.conditions = &frost;
+  for (PlantedSpecies& planted : bred.meadow.species) planted.species.params.stiffness *= 4.0f;
+  for (ChainTraits& traits : bred.traits) traits.stiffness *= 4.0f;
+  float most = 0.0f, plain_most = 0.0f;
+  for (int step = 0; step < 240; ++step) {
+    for (Rolling* rolling : {&frozen, &bred, &plain}) rolling->step();
+    ASSERT_EQ(frozen.blades.size(), bred.blades.size());
+    const TouchedState a = frozen.blades.state(), b = bred.blades.state();
+    for (std::size_t cell = 0; cell < a.size(); ++cell) {
+      for (std::size_t n = 0; n < a[cell].second.size(); ++n)
+        most = std::max(most, glm::length(a[cell].second[n].motion.turn.v4 - b[cell].second[n].motion.turn.v4));
+    }
+    const TouchedState c = plain.blades.state();
+    for (std::size_t n = 0; !a.empty() && !c.empty() && n < std::min(a[0].second.size(), c[0].second.size()); ++n)
+      plain_most = std::max(plain_most, glm::length(a[0].second[n].motion.turn.v4 - c[0].second[n].motion.turn.v4));
+  }
+  EXPECT_GE(frozen.blades.size(), 20u);
+  EXPECT_LT(most, 1e-4f) << "rad";
+  EXPECT_GT(plain_most, 0.05f) << "rad, of blades that are not frozen";
 }
 
 }  // namespace

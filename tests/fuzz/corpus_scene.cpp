@@ -68,6 +68,16 @@ seed = 7
 [[wind.breeze]]
 period_s = 3
 radius_m = 20
+[[condition]]
+centre_m = [5, 5]
+velocity_m_per_s = [0.1, 0]
+radius_m = 4
+edge_m = 1.5
+start_s = 2
+duration_s = 30
+fade_s = 5
+color_factor = [1.4, 1.4, 1.8]
+stiffness_factor = 3
 [treading]
 spacing_m = 0.1
 recovery_s = 90

@@ -62,7 +62,7 @@ TEST(Info, TellsWhatMoves) {
       parse_scene(
           std::string(testing::kPlainScene) +
               "[wind]\nspeed_m_per_s = 6.5\n[[wind.gust]]\n[[mover]]\nname = \"boulder\"\nloops = true\n"
-              "path_m = [[0, 0], [10, 0]]\n",
+              "path_m = [[0, 0], [10, 0]]\n[[condition]]\n[[condition]]\n",
           "folder", {}),
       {});
   std::stringstream text, json_text;
@@ -72,8 +72,10 @@ TEST(Info, TellsWhatMoves) {
   EXPECT_NE(text.str().find("mover     boulder: stone, 1 m/s along 20.0 m, round and round"),
             std::string::npos)
       << text.str();
+  EXPECT_NE(text.str().find("grass     2 conditions come over it"), std::string::npos) << text.str();
   print_json(describe_scene(world), json_text);
   const auto json = nlohmann::json::parse(json_text.str());
+  EXPECT_EQ(json["conditions"], 2);
   EXPECT_EQ(json["wind"]["speed_m_per_s"], 6.5);
   EXPECT_EQ(json["movers"][0]["name"], "boulder");
   EXPECT_NEAR(json["movers"][0]["length_m"].get<double>(), 20.0, 1e-3);
