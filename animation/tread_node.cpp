@@ -39,11 +39,15 @@ float recovered_share(const TreadNode& node, double time_s) {
   return std::min(std::max(passed_s / node.recovery_s, 0.0f), 1.0f);
 }
 
-// Without branches, so that it takes part in a vector stage.
+/// F `passed_s` after the recovery of `field` began. Without branches, so that it takes part in a vector stage.
+float field_after(float field, float passed_s, float recovery_s) {
+  const float left = 1.0f - std::min(std::max(passed_s / recovery_s, 0.0f), 1.0f);
+  const float now = field * (left * left);
+  return field == 0.0f ? 0.0f : now;
+}
+
 float field_at(const TreadNode& node, double time_s) {
-  const float left = 1.0f - recovered_share(node, time_s);
-  const float field = node.field * (left * left);
-  return node.field == 0.0f ? 0.0f : field;
+  return field_after(node.field, static_cast<float>(time_s - node.start_s), node.recovery_s);
 }
 
 /// Load and wear make it longer.
@@ -101,31 +105,71 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
 
 namespace {
 
-inline Tread tread_at(const TreadSettings& settings, const TreadNode& node, float wear, double time_s) {
+inline Tread tread_at(const TreadSettings& settings, float bent, glm::vec2 direction, float wear) {
   Kernels kernels;
-  const float bent = field_at(node, time_s);
   const float worn = worn_field(settings, wear);
   const float worn_tilt_rad = kernels.tread_tilt(worn, settings.field_scale, settings.most_tilt_rad);
   const float tilt_rad = kernels.tread_tilt(worn + bent, settings.field_scale, settings.most_tilt_rad);
   // Where pushes from opposite sides cancel, blades have no direction to lean to.
   constexpr float kUndecided = 0.3f;
-  const glm::vec2 d = node.direction;
-  const float length = std::max(std::sqrt(d.x * d.x + d.y * d.y), kUndecided);
+  const float length = std::max(std::sqrt(direction.x * direction.x + direction.y * direction.y), kUndecided);
   const float lean = bent > 0.0f ? (tilt_rad - worn_tilt_rad) / length : 0.0f;
-  return {glm::vec2(d.x * lean, d.y * lean), tilt_rad, wear};
+  return {glm::vec2(direction.x * lean, direction.y * lean), tilt_rad, wear};
 }
 
 }  // namespace
 
 Tread tread_of(const TreadSettings& settings, const TreadNode& node, float wear, double time_s) {
-  return tread_at(settings, node, wear, time_s);
+  return tread_at(settings, field_at(node, time_s), node.direction, wear);
 }
 
-PRAIRIE_VECTOR_STAGE void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes,
-                                    std::span<const float> wear, double time_s, std::span<glm::vec4> treads) {
-  for (std::size_t n = 0; n < treads.size(); ++n) {
-    const Tread tread = tread_at(settings, nodes[n], wear[n], time_s);
-    treads[n] = {tread.lean_rad.x, tread.lean_rad.y, tread.tilt_rad, tread.wear};
+namespace {
+
+constexpr std::size_t kBlock = 16;
+
+/// Nodes and their treads as the processor likes them.
+struct TreadBlock {
+  float passed_s[kBlock], field[kBlock], recovery_s[kBlock], east[kBlock], north[kBlock], wear[kBlock];
+  float lean_east[kBlock], lean_north[kBlock], tilt_rad[kBlock];
+};
+
+PRAIRIE_VECTOR_STAGE void find_treads(const TreadSettings& settings, TreadBlock& block) {
+  const TreadSettings same = settings;
+  for (std::size_t n = 0; n < kBlock; ++n) {
+    const float bent = field_after(block.field[n], block.passed_s[n], block.recovery_s[n]);
+    const Tread tread = tread_at(same, bent, {block.east[n], block.north[n]}, block.wear[n]);
+    block.lean_east[n] = tread.lean_rad.x;
+    block.lean_north[n] = tread.lean_rad.y;
+    block.tilt_rad[n] = tread.tilt_rad;
+  }
+}
+
+}  // namespace
+
+void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes, std::span<const float> wear, double time_s,
+               std::span<glm::vec4> treads) {
+  if (treads.size() < 4) {  // a block costs as much as four
+    for (std::size_t n = 0; n < treads.size(); ++n) {
+      const Tread tread = tread_of(settings, nodes[n], wear[n], time_s);
+      treads[n] = {tread.lean_rad.x, tread.lean_rad.y, tread.tilt_rad, tread.wear};
+    }
+    return;
+  }
+  TreadBlock block{};
+  for (std::size_t first = 0; first < treads.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, treads.size() - first);
+    for (std::size_t n = 0; n < count; ++n) {
+      const TreadNode& node = nodes[first + n];
+      block.passed_s[n] = static_cast<float>(time_s - node.start_s);
+      block.field[n] = node.field;
+      block.recovery_s[n] = node.recovery_s;
+      block.east[n] = node.direction.x;
+      block.north[n] = node.direction.y;
+      block.wear[n] = wear[first + n];
+    }
+    find_treads(settings, block);
+    for (std::size_t n = 0; n < count; ++n)
+      treads[first + n] = {block.lean_east[n], block.lean_north[n], block.tilt_rad[n], block.wear[n]};
   }
 }
 
