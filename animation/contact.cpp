@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/ext/quaternion_double.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -79,6 +80,26 @@ double nearest_along_m(const Sphere& sphere, glm::dvec3 joint_m, glm::dvec3 t, d
   return std::clamp(glm::dot(sphere.centre_m - joint_m, t), low_m, high_m);
 }
 
+// How far a solid reaches along a unit vector.
+double reach_m(const Sphere& sphere, glm::dvec3 n) { return glm::dot(n, sphere.centre_m) + sphere.radius_m; }
+double reach_m(const Capsule& capsule, glm::dvec3 n) {
+  return std::max(glm::dot(n, capsule.from_m), glm::dot(n, capsule.to_m)) + capsule.radius_m;
+}
+double reach_m(const Box& box, glm::dvec3 n) {
+  return glm::dot(n, box.centre_m) + glm::dot(glm::abs(n * box.axes), box.half_size_m);
+}
+
+/// Whether a plane across the outward direction of its nearer end parts a piece of curve from the solid: the curve lies within
+/// the hull of its Bézier points.
+template <typename Shape>
+bool is_parted(const Shape& solid, const Kernels::BladeCurve& piece, double base_distance_m, double tip_distance_m) {
+  const glm::dvec3 base_m(piece.base_m), tip_m(piece.tip_m);
+  const glm::dvec3 n = separation(solid, base_distance_m < tip_distance_m ? base_m : tip_m).outward;
+  const double least_m = std::min(std::min(glm::dot(n, base_m), glm::dot(n, base_m + glm::dvec3(piece.base_tangent_m) / 3.0)),
+                                  std::min(glm::dot(n, tip_m), glm::dot(n, tip_m - glm::dvec3(piece.tip_tangent_m) / 3.0)));
+  return least_m > reach_m(solid, n);
+}
+
 /// How deep the deepest point of each segment of the drawn curve is in the solid, at least 0.
 template <typename Shape>
 std::array<double, kSegments> depths_m(const Shape& solid, const Kernels::BladeChain& chain, double length_m) {
@@ -91,6 +112,7 @@ std::array<double, kSegments> depths_m(const Shape& solid, const Kernels::BladeC
     // No distance changes by more than the way.
     if (at_joint_m[i] + at_joint_m[i + 1] > segment_m) continue;
     const Kernels::BladeCurve piece = Kernels{}.chain_piece(chain, 0.25f * static_cast<float>(i) + 0.125f);
+    if (is_parted(solid, piece, at_joint_m[i], at_joint_m[i + 1])) continue;
     const auto at_m = [&](double t) {
       return distance_m(Kernels{}.hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m,
                                                 static_cast<float>(t)));
@@ -129,7 +151,9 @@ class BentBlade {
     return {vector_of(turn_[0]), vector_of(turn_[1]), vector_of(turn_[2]), vector_of(turn_[3])};
   }
 
-  std::array<double, kSegments> depths_m() const { return prairie::depths_m(solid_, drawn(), length_m()); }
+  Kernels::BladeChain drawn() const {
+    return Kernels{}.turned_chain_over(blade_, rest_, growth_, turns(), glm::vec3(up_), least_rise_);
+  }
 
   /// Turns one rod after the other, with all above it, until each is as far from the solid as it should be.
   void clear(const std::array<double, kSegments>& margin_m) {
@@ -153,10 +177,6 @@ class BentBlade {
   }
 
  private:
-  Kernels::BladeChain drawn() const {
-    return Kernels{}.turned_chain_over(blade_, rest_, growth_, turns(), glm::vec3(up_), least_rise_);
-  }
-  double length_m() const { return static_cast<double>(blade_.height_m * growth_); }
   glm::dvec3 direction(int i) const { return turn_[i] * relaxed_[i]; }
   glm::dvec3 on_ground(glm::dvec3 v) const { return v - up_ * glm::dot(up_, v); }
 
@@ -219,7 +239,7 @@ bool bent_out_of(const Shape& solid, const Blade& blade, const Kernels::BladeCur
   } else {
     for (int round = 0; round < kRounds && deepest() > kAllowedDepthM; ++round) {
       bent.clear(margin_m);
-      depth_m = bent.depths_m();
+      depth_m = depths_m(solid, bent.drawn(), length_m);
       for (int i = 0; i < kSegments; ++i) {
         if (depth_m[i] > kAllowedDepthM) margin_m[i] += depth_m[i];
       }

@@ -118,16 +118,24 @@ StandingBlade TouchedBlades::standing(const Surroundings& around, CellId id, con
 }
 
 void TouchedBlades::swing(const Surroundings& around, float dt_s) {
-  std::vector<std::pair<CellId, Patch*>> patches;
-  for (auto& [id, patch] : patches_) patches.emplace_back(id, &patch);
-  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t at) {
-    auto [id, patch] = patches[at];
-    std::vector<TouchedBlade>& touched = patch->touched;
-    patch->standing.resize(touched.size());
-    if (touched.empty()) return;
-    InertialChains chains(touched.size());
-    for (std::size_t n = 0; n < touched.size(); ++n) {
-      TouchedBlade& blade = touched[n];
+  struct Moving {
+    CellId id;
+    Patch* patch;
+    std::size_t first;  // of its chains
+  };
+  std::vector<Moving> moving;
+  std::size_t count = 0;
+  for (auto& [id, patch] : patches_) {
+    patch.standing.resize(patch.touched.size());
+    if (patch.touched.empty()) continue;
+    moving.push_back({id, &patch, count});
+    count += patch.touched.size();
+  }
+  InertialChains chains(count);
+  tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t at) {
+    auto [id, patch, first] = moving[at];
+    for (std::size_t n = 0; n < patch->touched.size(); ++n) {
+      TouchedBlade& blade = patch->touched[n];
       const StandingBlade& now = patch->standing[n] = standing(around, id, *patch, blade.index);
       keep_in_place(blade.rest, now.rest, blade.motion.turn);
       blade.rest = now.rest;
@@ -136,12 +144,15 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
       traits.drag *= now.blade.stiffness / traits.stiffness;
       traits.stiffness = now.stiffness;
       traits.half_segment_m = now.blade.height_m / 8.0f;
-      chains.plant(n, now.rest, traits);
-      chains.set_motion(n, blade.motion);
-      chains.set_wind(n, glm::vec3(wind_m_per_s(around.wind, now.place_m, around.time_s), 0.0f));
+      chains.plant(first + n, now.rest, traits);
+      chains.set_motion(first + n, blade.motion);
+      chains.set_wind(first + n, glm::vec3(wind_m_per_s(around.wind, now.place_m, around.time_s), 0.0f));
     }
-    chains.step(dt_s);
-    for (std::size_t n = 0; n < touched.size(); ++n) touched[n].motion = chains.motion(n);
+  });
+  chains.step(dt_s);
+  tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t at) {
+    const auto& [id, patch, first] = moving[at];
+    for (std::size_t n = 0; n < patch->touched.size(); ++n) patch->touched[n].motion = chains.motion(first + n);
   });
 }
 

@@ -34,20 +34,21 @@ float grown_share(float x) {
 }
 
 /// Share of the recovery that has passed, 0…1.
-float recovered_share(const TreadNode& node, double time_s) {
-  const float passed_s = static_cast<float>(time_s - node.start_s);
-  return std::min(std::max(passed_s / node.recovery_s, 0.0f), 1.0f);
+float recovered_share(float passed_s, float recovery_s) {
+  return std::min(std::max(passed_s / recovery_s, 0.0f), 1.0f);
 }
+
+float passed_s(const TreadNode& node, double time_s) { return static_cast<float>(time_s - node.start_s); }
 
 /// F `passed_s` after the recovery of `field` began. Without branches, so that it takes part in a vector stage.
 float field_after(float field, float passed_s, float recovery_s) {
-  const float left = 1.0f - std::min(std::max(passed_s / recovery_s, 0.0f), 1.0f);
+  const float left = 1.0f - recovered_share(passed_s, recovery_s);
   const float now = field * (left * left);
   return field == 0.0f ? 0.0f : now;
 }
 
 float field_at(const TreadNode& node, double time_s) {
-  return field_after(node.field, static_cast<float>(time_s - node.start_s), node.recovery_s);
+  return field_after(node.field, passed_s(node, time_s), node.recovery_s);
 }
 
 /// Load and wear make it longer.
@@ -96,7 +97,7 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
   const float had = std::min(before, crushed), has = std::min(after, crushed);
   if (has > had) node.direction = (node.direction * had + directed * ((has - had) / added)) / has;
 
-  const float share = before > 0.0f ? recovered_share(node, to_s) * (before / after) : 0.0f;
+  const float share = before > 0.0f ? recovered_share(passed_s(node, to_s), node.recovery_s) * (before / after) : 0.0f;
   const float left = 1.0f - std::min(share, 0.999f);
   node.field = after / (left * left);
   node.recovery_s = recovery_time_s(settings, node, after, wear);
@@ -134,7 +135,7 @@ struct TreadBlock {
 };
 
 PRAIRIE_VECTOR_STAGE void find_treads(const TreadSettings& settings, TreadBlock& block) {
-  const TreadSettings same = settings;
+  const TreadSettings same = settings;  // nothing that is stored may change it
   for (std::size_t n = 0; n < kBlock; ++n) {
     const float bent = field_after(block.field[n], block.passed_s[n], block.recovery_s[n]);
     const Tread tread = tread_at(same, bent, {block.east[n], block.north[n]}, block.wear[n]);
@@ -160,7 +161,7 @@ void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes, 
     const std::size_t count = std::min(kBlock, treads.size() - first);
     for (std::size_t n = 0; n < count; ++n) {
       const TreadNode& node = nodes[first + n];
-      block.passed_s[n] = static_cast<float>(time_s - node.start_s);
+      block.passed_s[n] = passed_s(node, time_s);
       block.field[n] = node.field;
       block.recovery_s[n] = node.recovery_s;
       block.east[n] = node.direction.x;
