@@ -100,8 +100,13 @@ ChainVectors InertialChains::directions(std::size_t blade) const {
 void InertialChains::step(float dt_s) {
   assert(dt_s > 0.0f);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks_.size(), 16), [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n) step_block(blocks_[n], dt_s);
+    step_blocks(range.begin(), range.end(), dt_s);
   });
+}
+
+void InertialChains::step_blocks(std::size_t first, std::size_t end, float dt_s) {
+  assert(end <= blocks_.size());
+  for (std::size_t n = first; n < end; ++n) step_block(blocks_[n], dt_s);
 }
 
 }  // namespace prairie

@@ -50,19 +50,22 @@ void Sway::blow(Level& level, const Wind& wind, double time_s) {
   const glm::ivec2 corner = level.blades.corner();
   const WindNodes nodes{{corner.x, corner.y}, kSide + 1, kSide + 1, level.blades.texel_m()};
   fill_wind(wind, nodes, time_s, level.nodes_m_per_s);
-  for (int row = 0; row < kSide; ++row) {
-    for (int column = 0; column < kSide; ++column) {
-      const glm::vec2* south = &level.nodes_m_per_s[static_cast<std::size_t>(row * (kSide + 1) + column)];
-      const glm::vec2* north = south + kSide + 1;
-      const glm::vec2 mean = 0.25f * (south[0] + south[1] + north[0] + north[1]);
-      level.wind_m_per_s[window_index(corner.x + column, corner.y + row)] = glm::vec3(mean, 0.0f);
+  tbb::parallel_for(tbb::blocked_range<int>(0, kSide, 16), [&](const auto& rows) {
+    for (int row = rows.begin(); row != rows.end(); ++row) {
+      for (int column = 0; column < kSide; ++column) {
+        const glm::vec2* south = &level.nodes_m_per_s[static_cast<std::size_t>(row * (kSide + 1) + column)];
+        const glm::vec2* north = south + kSide + 1;
+        const glm::vec2 mean = 0.25f * (south[0] + south[1] + north[0] + north[1]);
+        level.wind_m_per_s[window_index(corner.x + column, corner.y + row)] = glm::vec3(mean, 0.0f);
+      }
     }
-  }
+  });
 }
 
 void Sway::stiffen(const ConditionWindow& conditions) {
   assert(conditions.centre_m() == centre_m_);
   for (std::size_t level = 0; level < kLevels; ++level) {
+    assert(levels_[level].blades.corner() == window_corner(level, centre_m_));
     const std::span<const GrassCondition> texels = conditions.texels(level);
     for (std::size_t n = 0; n < kTexels; ++n) levels_[level].blades.stiffen(n, texels[n].stiffness_factor);
   }

@@ -112,35 +112,31 @@ void VirtualBlades::stiffen(std::size_t index, float factor) {
   for (Stand& stand : species_) stand.blades.set_stiffness(index, factor * stand.stiffness);
 }
 
-void VirtualBlades::set_wind(std::span<const glm::vec3> wind_m_per_s) {
+template <class Move>
+void VirtualBlades::for_blocks(std::span<const glm::vec3> wind_m_per_s, Move move) {
   assert(wind_m_per_s.size() == texel_count());
+  constexpr std::size_t kTogether = 16;
   for (Stand& stand : species_) {
-    for (std::size_t n = 0; n < texel_count(); ++n) stand.blades.set_wind(n, wind_m_per_s[n]);
-  }
-}
-
-void VirtualBlades::find_texels() {
-  for (Stand& stand : species_) {
-    const std::span<const ChainBlock> blocks = stand.blades.blocks();
     const std::span<VirtualTexel> texels(stand.texels);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 16), [&](const auto& range) {
+    const std::size_t count = stand.blades.blocks().size();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kTogether), [&](const auto& range) {
+      const std::size_t first = range.begin() * kBlades, end = std::min(range.end() * kBlades, texels.size());
+      for (std::size_t n = first; n < end; ++n) stand.blades.set_wind(n, wind_m_per_s[n]);
+      move(stand.blades, range.begin(), range.end());
       for (std::size_t b = range.begin(); b < range.end(); ++b) {
-        const std::size_t first = b * kBlades;
-        put_texels(blocks[b], texels.subspan(first, std::min(kBlades, texels.size() - first)));
+        const std::size_t from = b * kBlades;
+        put_texels(stand.blades.blocks()[b], texels.subspan(from, std::min(kBlades, texels.size() - from)));
       }
     });
   }
 }
 
 void VirtualBlades::feel(std::span<const glm::vec3> wind_m_per_s) {
-  set_wind(wind_m_per_s);
-  find_texels();
+  for_blocks(wind_m_per_s, [](InertialChains&, std::size_t, std::size_t) {});
 }
 
 void VirtualBlades::step(std::span<const glm::vec3> wind_m_per_s, float dt_s) {
-  set_wind(wind_m_per_s);
-  for (Stand& stand : species_) stand.blades.step(dt_s);
-  find_texels();
+  for_blocks(wind_m_per_s, [dt_s](InertialChains& blades, std::size_t first, std::size_t end) { blades.step_blocks(first, end, dt_s); });
 }
 
 void VirtualBlades::settle(std::span<const glm::vec3> wind_m_per_s) {
