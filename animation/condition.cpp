@@ -20,7 +20,7 @@ float ramp(double x) {
 }
 
 // Of 0.1 to 10, by square roots and a short series, which are the same everywhere: ln x = 16 ln ¹⁶√x, and
-// ln y = 2 artanh((y − 1)/(y + 1)). Error below 1e-11.
+// ln y = 2 artanh((y − 1)/(y + 1)). Error below 2e-10.
 double natural_log(double x) {
   double y = x;
   for (int n = 0; n < 4; ++n) y = std::sqrt(y);

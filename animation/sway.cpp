@@ -3,9 +3,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <utility>
 
 #include "shaders/shared/layouts.h"
 

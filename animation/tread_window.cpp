@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "animation/sway.h"
+#include "animation/eye_windows.h"
 #include "generator/vector_stage.h"
 #include "shaders/shared/layouts.h"
 
@@ -186,7 +186,10 @@ TreadWindow::Block TreadWindow::paint_page(const Treading& treading, PageIndex p
   const glm::dvec2 low_m = spacing_m * glm::dvec2(page.south_west().i, page.south_west().j);
   const double side_m = spacing_m * kPageNodes;
   const double size_m = texel_m(level), half_m = 0.5 * size_m * kSide;
-  const double most_m = fade_end_m(half_m), start_m = fade_start_m(half_m), least_m = nearest_m(level);
+  const bool is_last = level + 1 == layouts::kTreadLevels;
+  // Beyond the place where the next window takes over lies what the outermost texels are blended with.
+  const double end_m = fade_end_m(half_m), most_m = is_last ? end_m : end_m + size_m;
+  const double start_m = fade_start_m(half_m), least_m = nearest_m(level);
   const auto distance_m = [&](glm::dvec2 place_m) {
     const glm::dvec2 away_m = glm::abs(place_m - centre_m_);
     return std::max(away_m.x, away_m.y);
@@ -204,11 +207,10 @@ TreadWindow::Block TreadWindow::paint_page(const Treading& treading, PageIndex p
   const Range rows = texels_along(low_m.y, centre_m_.y), columns = texels_along(low_m.x, centre_m_.x);
   std::vector<Taps> across;
   for (int column = columns.first; column < columns.end; ++column) across.push_back(nodes.column_at(size_m * (column + 0.5)));
-  const bool is_last = level + 1 == layouts::kTreadLevels;
   const auto share_at = [&](glm::dvec2 middle_m) {
     const double away_m = distance_m(middle_m);
     if (away_m >= most_m || away_m < least_m) return 0.0f;
-    return is_last && away_m > start_m ? static_cast<float>((most_m - away_m) / (most_m - start_m)) : 1.0f;
+    return is_last && away_m > start_m ? static_cast<float>((end_m - away_m) / (end_m - start_m)) : 1.0f;
   };
   std::vector<float> shares(across.size());
   std::vector<glm::vec4> blended(static_cast<std::size_t>(nodes.side()));

@@ -1,4 +1,4 @@
-// Trodden grass around the eye as a texture: windows of rising node spacing, tori as those of animation/sway.h and as wide,
+// Trodden grass around the eye as a texture: windows of rising node spacing, tori as those of animation/eye_windows.h and as wide,
 // of bytes. A coarser one holds what lies beyond the finer. Only what has been trodden costs something.
 #pragma once
 

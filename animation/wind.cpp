@@ -3,9 +3,8 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <vector>
 
 namespace prairie {
 

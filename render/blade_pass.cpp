@@ -83,7 +83,7 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
   if (plan.cells.empty()) return;
   compute_.set_tables(stream, plan.tables, species);
   const bool has_touched = touched != nullptr && touched->size() > 0;
-  if (has_touched) touched_.set(*touched);
+  if (has_touched) touched_.set(stream, *touched);
   std::size_t bytes = kStorageLimitBytes;
   const auto add = [&](const CellGroup& group, std::span<const DrawnCell> cells, bool is_touched) {
     const std::size_t most = most_blades(bytes_of(group.segments));

@@ -21,8 +21,8 @@ class BladePass {
  public:
   BladePass(const World& world, const std::filesystem::path& shader_folder);
 
-  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For grass that is not
-  /// still, the moving fields must be bound (render/moving_fields.h).
+  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For any variant
+  /// but the plain one the moving fields must be bound (render/moving_fields.h).
   void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
                GrassVariant variant = {}, const TouchedBlades* touched = nullptr);
   /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be bound.

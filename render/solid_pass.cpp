@@ -1,7 +1,9 @@
 #include "render/solid_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 

@@ -1,5 +1,5 @@
-// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a mesh and level of detail; a frame without
-// solids costs nothing, and the shaders are compiled when the first one is seen.
+// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a mesh and level of detail; a
+// frame without solids costs nothing, and the shaders are compiled when the first one is seen.
 #pragma once
 
 #include <cstdint>
@@ -49,14 +49,14 @@ class SolidPass {
   // Spheres of three levels of detail, boxes, wheels.
   static constexpr std::size_t kMeshes = 5;
   struct Device;
-
-  std::filesystem::path shader_folder_;
-  std::unique_ptr<Device> device_;  // none until there is something to draw
   /// Solids of one mesh, and stones of one level of their map.
   struct Batch {
     std::size_t mesh, map_level;
     std::uint32_t first, count;
   };
+
+  std::filesystem::path shader_folder_;
+  std::unique_ptr<Device> device_;  // none until there is something to draw
   std::vector<Batch> batches_;
   StreamBuffer::Slice table_;
   std::uint64_t triangles_drawn_ = 0;

@@ -20,16 +20,19 @@ void append(const Kernels::BladeChain& chain, std::vector<float>& out) {
 
 TouchedChains::TouchedChains() = default;
 
-void TouchedChains::set(const TouchedBlades& blades) {
+void TouchedChains::set(StreamBuffer& stream, const TouchedBlades& blades) {
   first_slots_.clear();
   slots_.clear();
   chains_.clear();
+  chains_.reserve(kWords * blades.chains().size());
   for (const TouchedGroup& group : blades.groups()) {
     if (std::all_of(group.slots.begin(), group.slots.end(), [](std::uint32_t slot) { return slot == 0; })) continue;
     first_slots_[packed(group.key)] = static_cast<std::uint32_t>(slots_.size());
     slots_.insert(slots_.end(), group.slots.begin(), group.slots.end());
   }
   for (const Kernels::BladeChain& chain : blades.chains()) append(chain, chains_);
+  slot_view_.show(stream, std::span<const std::uint32_t>(slots_));
+  chain_view_.show(stream, std::span<const float>(chains_));
 }
 
 void TouchedChains::show(StreamBuffer& stream, std::span<const DrawnCell> run) {
@@ -39,8 +42,6 @@ void TouchedChains::show(StreamBuffer& stream, std::span<const DrawnCell> run) {
     run_cells_.push_back(found == first_slots_.end() ? 0 : found->second + 1);
   }
   cell_view_.show(stream, std::span<const std::uint32_t>(run_cells_));
-  slot_view_.show(stream, std::span<const std::uint32_t>(slots_));
-  chain_view_.show(stream, std::span<const float>(chains_));
   glBindTextureUnit(kCellUnit, cell_view_.texture());
   glBindTextureUnit(kSlotUnit, slot_view_.texture());
   glBindTextureUnit(kChainUnit, chain_view_.texture());

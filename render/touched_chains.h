@@ -18,7 +18,8 @@ class TouchedChains {
  public:
   TouchedChains();
 
-  void set(const TouchedBlades& blades);
+  /// Once a frame, before its runs.
+  void set(StreamBuffer& stream, const TouchedBlades& blades);
   /// Whether blades of a cell (PlantedCell::key) move by themselves.
   bool holds(glm::uvec2 key) const { return first_slots_.contains(packed(key)); }
 

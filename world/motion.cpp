@@ -19,8 +19,7 @@ namespace {
 // Blades forget what moved them within a few of their swings.
 constexpr int kWarmUpSteps = 150;
 constexpr std::int64_t kWarmUpTicks = kTicksPerS / 30;
-constexpr std::size_t kMostPrimitives = 256;
-constexpr std::size_t kMostConditions = 256;
+constexpr std::size_t kMostSpawned = 256;
 // An eye that jumps farther sees grass that it has not seen before.
 constexpr double kJumpM = 24.0;
 
@@ -55,6 +54,16 @@ std::vector<SwaySpecies> sway_species(const Scene& scene, const Meadow& meadow) 
   return species;
 }
 
+// Behind the scene's own, which stay: a state of an earlier time may bring them back. Those that are over, and the oldest of too
+// many, go.
+template <class Spawned>
+void add_spawned(std::vector<Spawned>& all, std::size_t of_scene, const Spawned& one, double time_s) {
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>(of_scene);
+  all.erase(std::remove_if(first, all.end(), [&](const Spawned& old) { return end_s(old) < time_s; }), all.end());
+  if (all.size() >= of_scene + kMostSpawned) all.erase(all.begin() + static_cast<std::ptrdiff_t>(of_scene));
+  all.push_back(one);
+}
+
 }  // namespace
 
 Motion::Motion(const Scene& scene, const Meadow& meadow)
@@ -62,7 +71,9 @@ Motion::Motion(const Scene& scene, const Meadow& meadow)
       species_(sway_species(scene, meadow)),
       wind_(wind_of(scene)),
       treading_(scene.treading),
-      conditions_(scene.conditions) {
+      conditions_(scene.conditions),
+      scene_primitives_(wind_.primitives.size()),
+      scene_conditions_(conditions_.size()) {
   for (const SwaySpecies& one : species_) traits_.push_back(one.traits);
 }
 
@@ -72,9 +83,7 @@ bool Motion::blows() const {
 
 void Motion::spawn(const WindPrimitive& primitive) {
   check(primitive, "gust");
-  std::erase_if(wind_.primitives, [&](const WindPrimitive& old) { return end_s(old) < time_s(); });
-  if (wind_.primitives.size() >= kMostPrimitives) wind_.primitives.erase(wind_.primitives.begin());
-  wind_.primitives.push_back(primitive);
+  add_spawned(wind_.primitives, scene_primitives_, primitive, time_s());
   begin_to_sway();
 }
 
@@ -93,9 +102,7 @@ void Motion::begin_to_sway() {
 
 void Motion::spawn(const Condition& condition) {
   check(condition, "condition");
-  std::erase_if(conditions_, [&](const Condition& old) { return end_s(old) < time_s(); });
-  if (conditions_.size() >= kMostConditions) conditions_.erase(conditions_.begin());
-  conditions_.push_back(condition);
+  add_spawned(conditions_, scene_conditions_, condition, time_s());
   show_conditions();
 }
 

@@ -96,6 +96,7 @@ class Motion {
   Wind wind_;
   Treading treading_;
   std::vector<Condition> conditions_;
+  std::size_t scene_primitives_, scene_conditions_;  // the first of them are the scene's
   std::optional<glm::dvec2> eye_m_;
   std::optional<ConditionWindow> condition_window_;  // once there, kept: what shows it goes by its revision
   std::optional<Sway> sway_;

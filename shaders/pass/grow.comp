@@ -138,26 +138,22 @@ void main() {
   lean += 0.8f * pressing.lean_rad;
   blade.height_m *= worn_length(pressing.wear);
   blade.dryness = lerp(blade.dryness, 1.0f, 0.5f * pressing.wear);
-  BladeCurve rest = pose_blade(blade, ground.slope, growth);
-  load = with_own_sway(blade, rest, load, swayed, frame.sway_time);
-#ifdef CONDITIONED
-  blade.stiffness *= condition.a;
 #endif
-  BladeChain chain = pressed_virtual_pose(blade, rest, growth, load, normal, pressing);
-#else
   BladeCurve rest = pose_blade(blade, ground.slope, growth);
   // Before stiffness changes: another frequency of its own would throw a blade out of its phase.
   load = with_own_sway(blade, rest, load, swayed, frame.sway_time);
-#ifdef CONDITIONED
-  blade.stiffness *= condition.a;
-#endif
-  BladeChain chain = virtual_pose(blade, rest, growth, load);
-#endif
 #else
+  BladeCurve rest = pose_blade(blade, ground.slope, growth);
+#endif
 #ifdef CONDITIONED
   blade.stiffness *= condition.a;
 #endif
-  BladeChain chain = chain_of(blade, pose_blade(blade, ground.slope, growth), growth);
+#if defined(TRODDEN)
+  BladeChain chain = pressed_virtual_pose(blade, rest, growth, load, normal, pressing);
+#elif defined(MOVING)
+  BladeChain chain = virtual_pose(blade, rest, growth, load);
+#else
+  BladeChain chain = chain_of(blade, rest, growth);
 #endif
 #ifdef TOUCHED
   uint slot = touched_slot(cell_index, k);

@@ -2,7 +2,8 @@
 
 vec3 sky_radiance(vec3 direction) {
   float up = max(direction.z, 0.0f);
-  float low = pow(1.0f - up, 5.0f);
+  float level = 1.0f - up, level2 = level * level;
+  float low = level2 * level2 * level;
   vec3 sky = mix(frame.zenith_radiance, frame.horizon_radiance, low);
   float towards_sun = max(dot(direction, frame.sun_direction), 0.0f);
   float halo = pow(towards_sun, frame.sun_halo);

@@ -1,4 +1,4 @@
-// Windows of the moving fields around the eye, as tori of texels of rising size (animation/sway.h, animation/tread_window.h).
+// Windows of the moving fields around the eye, as tori of texels of rising size (animation/eye_windows.h, animation/tread_window.h).
 
 const int kSwayLevels = 3;
 const int kSwaySide = 64;           // texels of a window's side

@@ -188,6 +188,29 @@ TEST(ConditionWorld, MayBeSpawned) {
   EXPECT_THROW(motion.spawn(Condition{.radius_m = -1.0}), BadInput);
 }
 
+TEST(ConditionWorld, SpawningKeepsWhatTheSceneHas) {
+  // Both are over when others are spawned, and a state brings back the time when they were not.
+  World world = world_with(std::string(kWind) +
+                           "[[wind.gust]]\nposition_m = [0, 8]\nstrength_m_per_s = 9\nway_m = 4\n"
+                           "[[condition]]\ncentre_m = [9, 6]\nradius_m = 9\nduration_s = 1\ncolor_factor = [2, 1, 1]\n");
+  Motion& motion = world.motion();
+  motion.watch_anew({9.0, 6.0});
+  for (int n = 0; n < 30; ++n) world.step(kStepS);
+  const std::vector<std::byte> early = world.saved_state();
+  for (int n = 0; n < 30; ++n) world.step(kStepS);
+  const std::vector<std::byte> later = world.saved_state();
+  for (int n = 0; n < 600; ++n) world.step(kStepS);
+  const glm::dvec2 elsewhere_m(500.0, 500.0);
+  for (int n = 0; n < 300; ++n) {
+    motion.spawn(Gust{.origin_m = elsewhere_m, .start_s = -1e4});
+    motion.spawn(Condition{.centre_m = elsewhere_m, .radius_m = 1.0, .edge_m = 1.0, .start_s = -10.0, .duration_s = 1.0});
+  }
+  world.load_state(early, "");
+  EXPECT_EQ(motion.conditions()->at({9.0, 6.0}).color_factor.x, 2.0f);
+  for (int n = 0; n < 30; ++n) world.step(kStepS);
+  EXPECT_EQ(world.saved_state(), later);
+}
+
 TEST(ConditionWorld, GoesOnFromItsSavedStateBitForBit) {
   const std::string stone = "[[mover]]\nname = \"stone\"\npath_m = [[4, 8], [20, 9]]\n";
   for (const std::string& wind : {std::string(kWind), std::string()}) {
