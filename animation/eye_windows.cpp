@@ -9,13 +9,15 @@
 #include <glm/common.hpp>
 #include <vector>
 
+#include "animation/torus.h"
+
 namespace prairie {
 namespace {
 
 constexpr int kSide = layouts::kSwaySide;
 
 std::size_t wrapped(int i) {
-  return static_cast<std::size_t>(((i % kSide) + kSide) % kSide);
+  return static_cast<std::size_t>(prairie::wrapped(i, kSide));
 }
 
 /// Along an axis: the texel before a place, and the share of the way to the next one.
@@ -66,14 +68,11 @@ double window_half_m(std::size_t level) {
 }
 
 std::size_t window_index(int i, int j) {
-  return wrapped(j) * kSide + wrapped(i);
+  return torus_index(i, j, kSide);
 }
 
 glm::ivec2 window_corner(std::size_t level, glm::dvec2 eye_m) {
-  // An even side has a corner in its middle.
-  const glm::dvec2 texels = eye_m / window_texel_m(level);
-  return {static_cast<int>(std::floor(texels.x + 0.5)) - kSide / 2,
-          static_cast<int>(std::floor(texels.y + 0.5)) - kSide / 2};
+  return corner_around(eye_m, window_texel_m(level), kSide);
 }
 
 double fade_start_m(double half) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "animation/eye_windows.h"
+#include "animation/torus.h"
 #include "generator/vector_stage.h"
 #include "shaders/shared/layouts.h"
 
@@ -19,10 +20,6 @@ constexpr std::size_t kTexels = std::size_t{kSide} * kSide;
 double texel_m(int level) {
   return static_cast<double>(layouts::kSwayFinestM) * layouts::kSwaySide / kSide *
          std::pow(static_cast<double>(layouts::kSwayCoarsening), level);
-}
-
-int wrapped(int i) {
-  return ((i % kSide) + kSide) % kSide;
 }
 
 // A texel along an axis: the mean of up to four nodes.
@@ -123,7 +120,7 @@ void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
   std::array<std::array<bool, kSide>, layouts::kTreadLevels> is_changed{};
   const auto mark = [&](const Block& block) {
     for (int row = block.first_row; row < block.end_row; ++row)
-      is_changed[static_cast<std::size_t>(block.level)][static_cast<std::size_t>(wrapped(row))] = true;
+      is_changed[static_cast<std::size_t>(block.level)][static_cast<std::size_t>(wrapped(row, kSide))] = true;
   };
   for (const Block& block : painted_) {
     for (int row = block.first_row; row < block.end_row; ++row) {
@@ -158,8 +155,7 @@ void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
 }
 
 std::size_t TreadWindow::index_of(int level, int row, int column) {
-  return static_cast<std::size_t>(level) * kTexels + static_cast<std::size_t>(wrapped(row)) * kSide +
-         static_cast<std::size_t>(wrapped(column));
+  return static_cast<std::size_t>(level) * kTexels + torus_index(column, row, kSide);
 }
 
 // Those with trodden nodes within the last window, and their neighbours, whose texels may lie next to such nodes.

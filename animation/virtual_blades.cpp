@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "animation/torus.h"
 #include "generator/vector_stage.h"
 
 namespace prairie {
@@ -46,33 +47,18 @@ void put_texels(const ChainBlock& block, std::span<VirtualTexel> texels) {
   }
 }
 
-int wrapped(int i, int side) {
-  return ((i % side) + side) % side;
-}
-
 }  // namespace
 
 VirtualBlades::VirtualBlades(std::vector<ChainTraits> species, int side, double texel_m, glm::dvec2 eye_m)
     : side_(side), texel_m_(texel_m), corner_(0) {
   assert(side > 0 && texel_m > 0.0);
-  corner_ = corner_around(eye_m);
+  corner_ = corner_around(eye_m, texel_m_, side_);
   const glm::vec3 up(0.0f, 0.0f, 1.0f);
   for (const ChainTraits& traits : species) {
     Stand stand{traits.stiffness, InertialChains(texel_count()), std::vector<VirtualTexel>(texel_count())};
     for (std::size_t n = 0; n < texel_count(); ++n) stand.blades.plant(n, {up, up, up, up}, traits);
     species_.push_back(std::move(stand));
   }
-}
-
-glm::ivec2 VirtualBlades::corner_around(glm::dvec2 eye_m) const {
-  // An even side has a corner in its middle.
-  return {static_cast<int>(std::floor(eye_m.x / texel_m_ + 0.5)) - side_ / 2,
-          static_cast<int>(std::floor(eye_m.y / texel_m_ + 0.5)) - side_ / 2};
-}
-
-std::size_t VirtualBlades::index_of(int i, int j) const {
-  return static_cast<std::size_t>(wrapped(j, side_)) * static_cast<std::size_t>(side_) +
-         static_cast<std::size_t>(wrapped(i, side_));
 }
 
 glm::ivec2 VirtualBlades::texel_at(std::size_t index) const {
@@ -87,7 +73,7 @@ glm::dvec2 VirtualBlades::middle_m(std::size_t index) const {
 }
 
 void VirtualBlades::follow(glm::dvec2 eye_m) {
-  const glm::ivec2 old = corner_, now = corner_around(eye_m);
+  const glm::ivec2 old = corner_, now = corner_around(eye_m, texel_m_, side_);
   if (now == old) return;
   corner_ = now;
   // What both windows hold.
@@ -100,7 +86,7 @@ void VirtualBlades::follow(glm::dvec2 eye_m) {
         overlap && texel.x >= low.x && texel.x <= high.x && texel.y >= low.y && texel.y <= high.y;
     if (stays) continue;
     const std::size_t nearest =
-        overlap ? index_of(std::clamp(texel.x, low.x, high.x), std::clamp(texel.y, low.y, high.y)) : n;
+        overlap ? torus_index(std::clamp(texel.x, low.x, high.x), std::clamp(texel.y, low.y, high.y), side_) : n;
     for (Stand& stand : species_) {
       stand.blades.set_motion(n, overlap ? stand.blades.motion(nearest) : ChainMotion{});
       stand.texels[n] = overlap ? stand.texels[nearest] : VirtualTexel{};
@@ -150,7 +136,7 @@ VirtualTexel VirtualBlades::at(std::size_t species, glm::dvec2 position_m) const
   const std::vector<VirtualTexel>& texels = species_[species].texels;
   VirtualTexel result;
   for (std::size_t s = 0; s < 4; ++s) {
-    const auto texel = [&](int di, int dj) { return texels[index_of(i + di, j + dj)].segments[s]; };
+    const auto texel = [&](int di, int dj) { return texels[torus_index(i + di, j + dj, side_)].segments[s]; };
     const glm::vec4 south = texel(0, 0) + (texel(1, 0) - texel(0, 0)) * u;
     const glm::vec4 north = texel(0, 1) + (texel(1, 1) - texel(0, 1)) * u;
     result.segments[s] = south + (north - south) * v;

@@ -82,8 +82,6 @@ class VirtualBlades {
   /// Sets the wind, calls `move(blades, first block, end)` for runs of blocks at the same time, and finds their texels.
   template <class Move>
   void for_blocks(std::span<const glm::vec3> wind_m_per_s, Move move);
-  std::size_t index_of(int i, int j) const;
-  glm::ivec2 corner_around(glm::dvec2 eye_m) const;
   glm::ivec2 texel_at(std::size_t index) const;  // of the lattice
 
   int side_;
