@@ -26,7 +26,7 @@ class StripPass {
   explicit StripPass(const std::filesystem::path& shader_folder);
 
   /// Lays the plan's strips. The frame block and the sward's tables must be bound.
-  /// For grass that is not still, the moving fields must be too.
+  /// For any variant but the plain one the moving fields must be too.
   void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
                std::span<const StripTraits> traits, GrassVariant variant);
   /// Draws them with a texture of render/strip_texture.h.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
-#include <ostream>
 
 #include "tests/world/scene_texts.h"
 #include "world/scene_hash.h"
@@ -14,7 +13,9 @@
 namespace prairie {
 namespace {
 
+using testing::expect_refused;
 using testing::kPlainScene;
+using testing::Refusal;
 using testing::refusal_of;
 
 Scene plain_with(const std::string& more, const std::vector<std::string>& overrides = {}) {
@@ -64,25 +65,10 @@ TEST(ConditionScene, HasItsLimit) {
   EXPECT_EQ(refusal_of(kPlainScene + all + "[[condition]]\n").field, "condition");
 }
 
-struct Refusal {
-  const char* text;
-  const char* field;
-  const char* in_message;
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* out) {
-  *out << refusal.text;
-}
-
 class ConditionRefusal : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(ConditionRefusal, NamesTheField) {
-  const Fault fault = refusal_of(std::string(kPlainScene) + GetParam().text);
-  EXPECT_EQ(fault.file, "folder/scene.toml");
-  EXPECT_EQ(fault.field, GetParam().field);
-  const std::string message = fault.what();
-  EXPECT_NE(message.find(GetParam().in_message), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  expect_refused(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -12,7 +12,9 @@
 namespace prairie {
 namespace {
 
+using testing::expect_refused;
 using testing::kPlainScene;
+using testing::Refusal;
 using testing::refusal_of;
 
 Scene plain_with(const std::string& more, const std::vector<std::string>& overrides = {}) {
@@ -197,25 +199,10 @@ TEST(MotionScene, HasItsLimits) {
   EXPECT_EQ(refusal_of(kPlainScene + path(points + "[0, 0]")).field, "mover.0.path_m");
 }
 
-struct Refusal {
-  std::string text;  // after the plain scene
-  const char* field;
-  const char* in_message;
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* out) {
-  *out << refusal.text;
-}
-
 class MotionRefusal : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(MotionRefusal, NamesTheField) {
-  const Fault fault = refusal_of(kPlainScene + GetParam().text);
-  EXPECT_EQ(fault.file, "folder/scene.toml");
-  EXPECT_EQ(fault.field, GetParam().field);
-  const std::string message = fault.what();
-  EXPECT_NE(message.find(GetParam().in_message), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  expect_refused(GetParam());
 }
 
 std::string mover(const std::string& keys) {

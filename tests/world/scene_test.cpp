@@ -10,7 +10,9 @@
 namespace prairie {
 namespace {
 
+using testing::expect_refused;
 using testing::kPlainScene;
+using testing::Refusal;
 using testing::refusal_of;
 
 std::string plain_with(const std::string& more) {
@@ -123,25 +125,10 @@ blade_distance_m = 60
   EXPECT_EQ(scene.lod.blade_distance_m, 60.0);
 }
 
-struct Refusal {
-  const char* text;  // after the plain scene
-  const char* field;
-  const char* in_message;
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* out) {
-  *out << refusal.text;
-}
-
 class SceneRefusal : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(SceneRefusal, NamesTheField) {
-  const Fault fault = refusal_of(plain_with(GetParam().text));
-  EXPECT_EQ(fault.file, "folder/scene.toml");
-  EXPECT_EQ(fault.field, GetParam().field);
-  const std::string message = fault.what();
-  EXPECT_NE(message.find(GetParam().in_message), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  expect_refused(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,5 +1,7 @@
 #include "tests/world/scene_texts.h"
 
+#include <gtest/gtest.h>
+
 #include "maps/image_output.h"
 
 namespace prairie::testing {
@@ -11,6 +13,19 @@ Fault refusal_of(const std::string& text, const std::vector<std::string>& overri
     return fault;
   }
   return Fault("", "", "no refusal", "one");
+}
+
+void PrintTo(const Refusal& refusal, std::ostream* out) {
+  *out << refusal.text;
+}
+
+void expect_refused(const Refusal& refusal) {
+  const Fault fault = refusal_of(kPlainScene + refusal.text);
+  EXPECT_EQ(fault.file, "folder/scene.toml");
+  EXPECT_EQ(fault.field, refusal.field);
+  const std::string message = fault.what();
+  EXPECT_NE(message.find(refusal.in_message), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 void write_raster(const std::filesystem::path& path, int columns, int rows, double spacing_m,
