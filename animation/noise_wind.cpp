@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -64,42 +65,83 @@ NoiseTexture make_noise_texture(std::uint32_t seed) {
 
 namespace {
 
-// Without branches and calls, so that a row of places is one vector stage.
-inline glm::vec2 sampled(const glm::vec2* texels, glm::dvec2 at) {
+// Where a place lies in a texture: its texel's column and row, and how far on to the next. Without branches and calls, so that
+// it takes part in a vector stage.
+struct TexelPlace {
+  int column, row;
+  float east, north;
+};
+
+inline TexelPlace texel_place(glm::dvec2 at) {
   constexpr int kSide = NoiseTexture::kSide;
   constexpr double kTexelsPerCell = static_cast<double>(kSide) / NoiseTexture::kCells;
   const double x = at.x * kTexelsPerCell, y = at.y * kTexelsPerCell;
   const double column = std::floor(x), row = std::floor(y);
-  const float east = static_cast<float>(x - column), north = static_cast<float>(y - row);
   // The side is a power of two: masking wraps what rounding left at the side itself.
   const auto wrapped = [](double n) { return static_cast<int>(n - kSide * std::floor(n * (1.0 / kSide))) & (kSide - 1); };
-  const int i0 = wrapped(column), i1 = (i0 + 1) & (kSide - 1);
-  const int j0 = kSide * wrapped(row), j1 = (j0 + kSide) & (kSide * kSide - 1);
-  const glm::vec2 south = texels[j0 + i0] + (texels[j0 + i1] - texels[j0 + i0]) * east;
-  const glm::vec2 norths = texels[j1 + i0] + (texels[j1 + i1] - texels[j1 + i0]) * east;
+  return {wrapped(column), wrapped(row), static_cast<float>(x - column), static_cast<float>(y - row)};
+}
+
+/// One component of the texture there; `values`: that of the first texel.
+inline float blended(const float* values, int column, int row, float east, float north) {
+  constexpr int kSide = NoiseTexture::kSide;
+  const int i0 = 2 * column, i1 = 2 * ((column + 1) & (kSide - 1));
+  const int j0 = 2 * kSide * row, j1 = 2 * kSide * ((row + 1) & (kSide - 1));
+  const float south = values[j0 + i0] + (values[j0 + i1] - values[j0 + i0]) * east;
+  const float norths = values[j1 + i0] + (values[j1 + i1] - values[j1 + i0]) * east;
   return south + (norths - south) * north;
 }
 
-inline glm::vec2 turbulence(const std::array<NoiseTexture, 3>& textures, const NoiseWindSettings& settings, glm::dvec2 position_m,
-                            glm::dvec2 mean_m_per_s, glm::dvec2 drift_m) {
+inline glm::dvec2 layer_place(glm::dvec2 from_drift_m, glm::dvec2 turn, double size_m) {
+  return glm::dvec2(turn.x * from_drift_m.x - turn.y * from_drift_m.y, turn.y * from_drift_m.x + turn.x * from_drift_m.y) / size_m;
+}
+
+/// The sum of the layers, which is 1 where the wind changes by its own speed, in the wind's directions.
+inline glm::vec2 gusts_m_per_s(glm::vec2 sum, glm::dvec2 mean_m_per_s, float lateral) {
   const double speed = std::sqrt(mean_m_per_s.x * mean_m_per_s.x + mean_m_per_s.y * mean_m_per_s.y);
-  const glm::dvec2 u = position_m - drift_m;
-  glm::vec2 sum(0.0f);
-  for (std::size_t n = 0; n < 3; ++n) {
-    const glm::dvec2 turn = kTurns[n];
-    const glm::dvec2 turned(turn.x * u.x - turn.y * u.y, turn.y * u.x + turn.x * u.y);
-    sum += sampled(textures[n].texels.data(), turned / settings.layers[n].size_m) * settings.layers[n].strength;
-  }
   // x along the wind, y across it.
   const glm::vec2 along(mean_m_per_s / (speed > 0.0 ? speed : 1.0));
   const glm::vec2 part = sum * static_cast<float>(speed);
-  const float across = part.y * settings.lateral;
+  const float across = part.y * lateral;
   return {along.x * part.x - along.y * across, along.y * part.x + along.x * across};
+}
+
+constexpr int kTogether = 16;
+
+/// A run of places as the processor likes them.
+struct PlaceBlock {
+  int column[kTogether], row[kTogether];
+  float east[kTogether], north[kTogether];
+  float x[kTogether], y[kTogether];  // sum of the layers
+};
+
+/// Adds a layer to the places of a row from its `first`-th on.
+PRAIRIE_VECTOR_STAGE void add_layer(const NoiseTexture& texture, const WindLayer& layer, glm::dvec2 turn, glm::dvec2 row_m,
+                                    double spacing_m, int first, glm::dvec2 drift_m, PlaceBlock& __restrict block) {
+  const float* values = &texture.texels.data()->x;
+  const double size_m = layer.size_m;
+  const float strength = layer.strength;
+  for (int n = 0; n < kTogether; ++n) {
+    const TexelPlace place = texel_place(layer_place(row_m + glm::dvec2((first + n) * spacing_m, 0.0) - drift_m, turn, size_m));
+    block.column[n] = place.column;
+    block.row[n] = place.row;
+    block.east[n] = place.east;
+    block.north[n] = place.north;
+  }
+  for (int n = 0; n < kTogether; ++n)
+    block.x[n] += blended(values, block.column[n], block.row[n], block.east[n], block.north[n]) * strength;
+  for (int n = 0; n < kTogether; ++n)
+    block.y[n] += blended(values + 1, block.column[n], block.row[n], block.east[n], block.north[n]) * strength;
 }
 
 }  // namespace
 
-glm::vec2 NoiseTexture::sample(glm::dvec2 at) const { return sampled(texels.data(), at); }
+glm::vec2 NoiseTexture::sample(glm::dvec2 at) const {
+  const TexelPlace place = texel_place(at);
+  const float* values = &texels.data()->x;
+  return {blended(values, place.column, place.row, place.east, place.north),
+          blended(values + 1, place.column, place.row, place.east, place.north)};
+}
 
 NoiseWind::NoiseWind(const NoiseWindSettings& settings) : settings_(checked(settings)) {
   auto textures = std::make_shared<std::array<NoiseTexture, 3>>();
@@ -110,17 +152,24 @@ NoiseWind::NoiseWind(const NoiseWindSettings& settings) : settings_(checked(sett
 }
 
 glm::vec2 NoiseWind::velocity_m_per_s(glm::dvec2 position_m, glm::dvec2 mean_m_per_s, glm::dvec2 drift_m) const {
-  return turbulence(*textures_, settings_, position_m, mean_m_per_s, drift_m);
+  glm::vec2 sum(0.0f);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const WindLayer& layer = settings_.layers[n];
+    sum += (*textures_)[n].sample(layer_place(position_m - drift_m, kTurns[n], layer.size_m)) * layer.strength;
+  }
+  return gusts_m_per_s(sum, mean_m_per_s, settings_.lateral);
 }
 
-PRAIRIE_VECTOR_STAGE void NoiseWind::add_row(glm::dvec2 first_m, double spacing_m, std::span<const glm::dvec2> means_m_per_s,
-                                             glm::dvec2 drift_m, std::span<glm::vec2> row_m_per_s) const {
-  const std::array<NoiseTexture, 3>& textures = *textures_;
-  const NoiseWindSettings settings = settings_;
-  const glm::dvec2* means = means_m_per_s.data();
-  glm::vec2* __restrict row = row_m_per_s.data();
-  for (int n = 0; n < static_cast<int>(row_m_per_s.size()); ++n)
-    row[n] += turbulence(textures, settings, first_m + glm::dvec2(n * spacing_m, 0.0), means[n], drift_m);
+void NoiseWind::add_row(glm::dvec2 first_m, double spacing_m, std::span<const glm::dvec2> means_m_per_s, glm::dvec2 drift_m,
+                        std::span<glm::vec2> row_m_per_s) const {
+  for (std::size_t first = 0; first < row_m_per_s.size(); first += kTogether) {
+    PlaceBlock block{};
+    for (std::size_t n = 0; n < 3; ++n)
+      add_layer((*textures_)[n], settings_.layers[n], kTurns[n], first_m, spacing_m, static_cast<int>(first), drift_m, block);
+    const std::size_t end = std::min(first + kTogether, row_m_per_s.size());
+    for (std::size_t n = first; n < end; ++n)
+      row_m_per_s[n] += gusts_m_per_s({block.x[n - first], block.y[n - first]}, means_m_per_s[n], settings_.lateral);
+  }
 }
 
 }  // namespace prairie
