@@ -41,8 +41,15 @@ struct StandingBlade {
   }
 };
 
-/// A blade of a cell that `tables` hold; as shaders/pass/grow.comp poses it.
-StandingBlade standing_blade(const Surroundings& around, TileId tile, const CellTables& tables, const PlantedCell& cell,
-                             const Blade& blade);
+/// A blade where it was planted; neither is owned.
+struct BladeOfCell {
+  const PlantedCell* cell;
+  const Blade* blade;
+};
+
+/// Blades of cells of a tile that `tables` hold, as shaders/pass/grow.comp poses them; as many as `found` has room for. Each is
+/// what it would be alone; many at once cost less.
+void find_standing(const Surroundings& around, TileId tile, const CellTables& tables, std::span<const BladeOfCell> blades,
+                   std::span<StandingBlade> found);
 
 }  // namespace prairie

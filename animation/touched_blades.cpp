@@ -111,10 +111,25 @@ TouchedBlades::Patch& TouchedBlades::patch_at(const Meadow& meadow, CellId id) {
   return patch;
 }
 
-StandingBlade TouchedBlades::standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const {
-  const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), index);
-  const PlantedCell& cell = patch.tables.cells[static_cast<std::size_t>(after - patch.first_blade.begin()) - 1];
-  return standing_blade(around, id.tile, patch.tables, cell, patch.blades[index]);
+std::vector<StandingBlade> TouchedBlades::standing(const Surroundings& around, CellId id, const Patch& patch,
+                                                   std::span<const std::uint32_t> indices) {
+  std::vector<BladeOfCell> blades;
+  blades.reserve(indices.size());
+  for (const std::uint32_t index : indices) {
+    const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), index);
+    const auto cell = static_cast<std::size_t>(after - patch.first_blade.begin()) - 1;
+    blades.push_back({&patch.tables.cells[cell], &patch.blades[index]});
+  }
+  std::vector<StandingBlade> found(indices.size());
+  find_standing(around, id.tile, patch.tables, blades, found);
+  return found;
+}
+
+void TouchedBlades::stand_touched(const Surroundings& around, CellId id, Patch& patch) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(patch.touched.size());
+  for (const TouchedBlade& blade : patch.touched) indices.push_back(blade.index);
+  patch.standing = standing(around, id, patch, indices);
 }
 
 void TouchedBlades::swing(const Surroundings& around, float dt_s) {
@@ -126,7 +141,7 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
   std::vector<Moving> moving;
   std::size_t count = 0;
   for (auto& [id, patch] : patches_) {
-    patch.standing.resize(patch.touched.size());
+    patch.standing.clear();
     if (patch.touched.empty()) continue;
     moving.push_back({id, &patch, count});
     count += patch.touched.size();
@@ -134,9 +149,10 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
   InertialChains chains(count);
   tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t at) {
     auto [id, patch, first] = moving[at];
+    stand_touched(around, id, *patch);
     for (std::size_t n = 0; n < patch->touched.size(); ++n) {
       TouchedBlade& blade = patch->touched[n];
-      const StandingBlade& now = patch->standing[n] = standing(around, id, *patch, blade.index);
+      const StandingBlade& now = patch->standing[n];
       keep_in_place(blade.rest, now.rest, blade.motion.turn);
       blade.rest = now.rest;
       ChainTraits traits = *now.species;
@@ -232,37 +248,48 @@ void TouchedBlades::touch_patch(const Surroundings& around, CellId id, Patch& pa
   const glm::dvec3 base_m = tile_base(around.meadow, id.tile);
   std::vector<Solid> local;  // in the tile's frame
   for (const Solid* solid : objects) local.push_back(moved(*solid, -base_m));
-  std::vector<TouchedBlade> touched;
-  std::vector<StandingBlade> standings;
-  auto known = patch.touched.begin();
-  for (std::uint32_t index = 0; index < patch.blades.size(); ++index) {
-    const bool is_known = known != patch.touched.end() && known->index == index;
-    const Blade& blade = patch.blades[index];
+  const auto may_touch = [&](const Blade& blade) {
     const glm::dvec3 root_m(blade.root_m, blade.ground_m);
     const auto length_m = static_cast<double>(blade.height_m);
-    const bool may_touch = std::any_of(local.begin(), local.end(), [&](const Solid& solid) {
-      return separation(solid, root_m).distance_m < length_m;
-    });
-    if (!may_touch && !is_known) continue;
-    StandingBlade now;
-    TouchedBlade bent;
-    if (is_known) {
-      now = patch.standing[static_cast<std::size_t>(known - patch.touched.begin())];
-      bent = *known++;
-    } else {
-      now = standing(around, id, patch, index);
-      bent.index = index;
-      bent.rest = now.rest;
-      bent.motion.turn = now.virtual_turn;
-      bent.rise = now.least_rise;
-    }
-    if ((may_touch && is_bent(local, now, bent)) || is_known) {
-      touched.push_back(bent);
-      standings.push_back(now);
+    return std::any_of(local.begin(), local.end(),
+                       [&](const Solid& solid) { return separation(solid, root_m).distance_m < length_m; });
+  };
+  // Those that nothing has touched yet.
+  std::vector<std::uint32_t> candidates;
+  auto known = patch.touched.begin();
+  for (std::uint32_t index = 0; index < patch.blade_count; ++index) {
+    if (known != patch.touched.end() && known->index == index) {
+      ++known;
+    } else if (may_touch(patch.blades[index])) {
+      candidates.push_back(index);
     }
   }
+  const std::vector<StandingBlade> candidates_standing = standing(around, id, patch, candidates);
+
+  // Both together, by index.
+  std::vector<TouchedBlade> touched;
+  std::vector<StandingBlade> touched_standing;
+  std::size_t of_known = 0, of_candidates = 0;
+  while (of_known < patch.touched.size() || of_candidates < candidates.size()) {
+    const bool is_known = of_candidates == candidates.size() ||
+                          (of_known < patch.touched.size() && patch.touched[of_known].index < candidates[of_candidates]);
+    const StandingBlade& now = is_known ? patch.standing[of_known] : candidates_standing[of_candidates];
+    TouchedBlade blade;
+    if (is_known) {
+      blade = patch.touched[of_known++];
+    } else {
+      blade.index = candidates[of_candidates++];
+      blade.rest = now.rest;
+      blade.motion.turn = now.virtual_turn;
+      blade.rise = now.least_rise;
+    }
+    const bool is_touched = (!is_known || may_touch(patch.blades[blade.index])) && is_bent(local, now, blade);
+    if (!is_touched && !is_known) continue;
+    touched.push_back(blade);
+    touched_standing.push_back(now);
+  }
   patch.touched = std::move(touched);
-  patch.standing = std::move(standings);
+  patch.standing = std::move(touched_standing);
 }
 
 void TouchedBlades::hand_over(float dt_s) {
@@ -301,10 +328,7 @@ void TouchedBlades::hand_over(float dt_s) {
 }
 
 void TouchedBlades::pose(const Surroundings& around) {
-  for (auto& [id, patch] : patches_) {
-    patch.standing.clear();
-    for (const TouchedBlade& blade : patch.touched) patch.standing.push_back(standing(around, id, patch, blade.index));
-  }
+  for (auto& [id, patch] : patches_) stand_touched(around, id, patch);
   make_chains();
 }
 

@@ -76,10 +76,13 @@ class TouchedBlades {
     std::vector<Blade> blades;               // of all species, one after the other
     std::vector<std::uint32_t> first_blade;  // of each of tables.cells
     std::vector<TouchedBlade> touched;       // by index
-    std::vector<StandingBlade> standing;          // of each of them, during a step
+    std::vector<StandingBlade> standing;     // of each of them, during a step
     bool is_near = false;                    // an object that may touch its blades
   };
-  StandingBlade standing(const Surroundings& around, CellId id, const Patch& patch, std::uint32_t index) const;
+  /// Of blades of a patch by their indices.
+  static std::vector<StandingBlade> standing(const Surroundings& around, CellId id, const Patch& patch,
+                                             std::span<const std::uint32_t> indices);
+  static void stand_touched(const Surroundings& around, CellId id, Patch& patch);
   void lay_out(const Meadow& meadow, CellId id, Patch& patch);
   static void plant(const Meadow& meadow, Patch& patch);
   Patch& patch_at(const Meadow& meadow, CellId id);

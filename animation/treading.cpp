@@ -78,6 +78,29 @@ void for_pages(const NodeRect& rect, const NodeField<Node>& field, Visitor visit
   field.for_pages(page_of({rect.column, rect.row}), page_of({rect.column + rect.columns - 1, rect.row + rect.rows - 1}), visit);
 }
 
+/// Reads nodes, and looks for a page only where it is another than for the last one.
+template <class Node>
+class PageFinder {
+ public:
+  explicit PageFinder(const NodeField<Node>& field) : field_(field) {}
+
+  Node at(NodeIndex node) {
+    const PageIndex page = page_of(node);
+    if (page != page_ || !has_looked_) {
+      nodes_ = field_.find_page(page);
+      page_ = page;
+      has_looked_ = true;
+    }
+    return nodes_ == nullptr ? Node{} : (*nodes_)[slot_of(node)];
+  }
+
+ private:
+  const NodeField<Node>& field_;
+  PageIndex page_;
+  const typename NodeField<Node>::Page* nodes_ = nullptr;
+  bool has_looked_ = false;
+};
+
 }  // namespace
 
 Treading::Treading(const TreadSettings& settings, NodeGrid recovery_s)
@@ -195,13 +218,41 @@ Tread Treading::at(NodeIndex node) const {
 }
 
 Tread Treading::sample(glm::dvec2 position_m) const {
-  const NodeSquare square = square_of(position_m, settings_.spacing_m);
-  std::array<glm::vec4, 4> at;
-  read({square.south_west.i, square.south_west.j, 2, 2}, at);
-  const glm::vec4 south = at[0] * (1.0f - square.east) + at[1] * square.east;
-  const glm::vec4 north = at[2] * (1.0f - square.east) + at[3] * square.east;
-  const glm::vec4 tread = south * (1.0f - square.north) + north * square.north;
-  return {glm::vec2(tread), tread.z, tread.w};
+  Tread tread;
+  sample({&position_m, 1}, {&tread, 1});
+  return tread;
+}
+
+void Treading::sample(std::span<const glm::dvec2> positions_m, std::span<Tread> treads) const {
+  assert(positions_m.size() == treads.size());
+  constexpr std::size_t kTogether = 16;
+  std::array<NodeSquare, kTogether> squares;
+  std::array<TreadNode, 4 * kTogether> nodes;
+  std::array<float, 4 * kTogether> wear;
+  std::array<glm::vec4, 4 * kTogether> at;
+  PageFinder<TreadNode> node_pages(state_.nodes);
+  PageFinder<float> wear_pages(state_.wear);
+  for (std::size_t first = 0; first < positions_m.size(); first += kTogether) {
+    const std::size_t count = std::min(kTogether, positions_m.size() - first);
+    for (std::size_t n = 0; n < count; ++n) {
+      squares[n] = square_of(positions_m[first + n], settings_.spacing_m);
+      const NodeIndex corner = squares[n].south_west;
+      for (int k = 0; k < 4; ++k) {
+        const NodeIndex node{corner.i + k % 2, corner.j + k / 2};
+        nodes[4 * n + static_cast<std::size_t>(k)] = node_pages.at(node);
+        wear[4 * n + static_cast<std::size_t>(k)] = wear_pages.at(node);
+      }
+    }
+    treads_of(settings_, std::span(nodes).first(4 * count), std::span(wear).first(4 * count), state_.time_s,
+              std::span(at).first(4 * count));
+    for (std::size_t n = 0; n < count; ++n) {
+      const float east = squares[n].east, north = squares[n].north;
+      const glm::vec4 south = at[4 * n] * (1.0f - east) + at[4 * n + 1] * east;
+      const glm::vec4 norths = at[4 * n + 2] * (1.0f - east) + at[4 * n + 3] * east;
+      const glm::vec4 tread = south * (1.0f - north) + norths * north;
+      treads[first + n] = {glm::vec2(tread), tread.z, tread.w};
+    }
+  }
 }
 
 void Treading::read(const NodeRect& rect, std::span<glm::vec4> out) const {

@@ -56,6 +56,8 @@ class Treading {
 
   /// At the state's time: bilinear between nodes, and at a node.
   Tread sample(glm::dvec2 position_m) const;
+  /// The same of many places, which is cheapest where neighbours follow one another.
+  void sample(std::span<const glm::dvec2> positions_m, std::span<Tread> treads) const;
   Tread at(NodeIndex node) const;
 
   /// At the state's time, for textures: (lean east, lean north, tilt, wear) of every node of `rect`, row by

@@ -79,8 +79,12 @@ std::map<std::pair<CellId, std::uint32_t>, DrawnBlade> drawn_blades(const Rollin
         plant_cell(cell, rolling.meadow.species[cell.species].species.params, tables.tables, blades);
         const auto group = std::find_if(rolling.blades.groups().begin(), rolling.blades.groups().end(),
                                         [&](const TouchedGroup& one) { return one.key == cell.key; });
+        std::vector<BladeOfCell> planted;
+        for (const Blade& blade : blades) planted.push_back({&cell, &blade});
+        std::vector<StandingBlade> standing(planted.size());
+        find_standing(rolling.around(), id.tile, tables, planted, standing);
         for (std::uint32_t k = 0; k < cell.planted; ++k, ++index) {
-          const StandingBlade now = standing_blade(rolling.around(), id.tile, tables, cell, blades[k]);
+          const StandingBlade& now = standing[k];
           const std::uint32_t slot = group == rolling.blades.groups().end() ? 0 : group->slots[k];
           drawn[{id, index}] = {glm::dvec3(tile_origin_m(rolling.meadow, id.tile), tile_base_m(rolling.meadow, id.tile)),
                                 slot != 0 ? rolling.blades.chains()[slot - 1] : now.chain(now.virtual_turn, now.least_rise),
