@@ -40,8 +40,10 @@ std::span<glm::vec4> Sway::layer(int index) {
 }
 
 void Sway::follow(glm::dvec2 eye_m) {
+  if (eye_m == centre_m_) return;
   centre_m_ = eye_m;
   for (Level& level : levels_) level.blades.follow(eye_m);
+  paint();
 }
 
 // The wind of a texel is the mean of the nodes at its corners.

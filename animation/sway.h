@@ -38,7 +38,7 @@ class Sway {
 
   glm::dvec2 centre_m() const { return centre_m_; }
 
-  /// Moves the windows along.
+  /// Moves the windows along, the texture with them.
   void follow(glm::dvec2 eye_m);
 
   /// Blades become as stiff as those of the ground beneath them in these conditions, from where and as they move now.
@@ -49,7 +49,7 @@ class Sway {
   void step(const Wind& wind, double to_s, float dt_s);
 
   int layer_count() const;
-  /// The whole texture, after each step.
+  /// The whole texture, of the blades as they are and around where they are.
   std::span<const glm::vec4> image() const { return image_; }
 
   /// What the shaders read there.
