@@ -10,6 +10,7 @@
 #include "app/command_line.h"
 #include "app/exit_code.h"
 #include "app/interruption.h"
+#include "app/kept_memory.h"
 #include "app/messages.h"
 #include "app/usage_error.h"
 #include "maps/error.h"
@@ -19,6 +20,7 @@ namespace prairie {
 namespace {
 
 int run(int argc, const char* const* argv) {
+  keep_freed_memory();
   watch_for_interruption();
   CommandLine line;
   line.read(argc, argv);
