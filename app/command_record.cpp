@@ -11,18 +11,16 @@
 #include "app/clip.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/installed_files.h"
 #include "app/messages.h"
 #include "app/open_world.h"
 #include "app/option_values.h"
 #include "app/picture_file.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
-#include "app/usage_error.h"
+#include "app/recording.h"
 #include "app/state_options.h"
+#include "app/usage_error.h"
 #include "app/world_time.h"
-#include "render/context.h"
-#include "render/renderer.h"
 
 namespace prairie {
 namespace {
@@ -62,33 +60,24 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
   Clip clip({options.output, options.size_px, options.frames_per_s}, globals.threads);
   World world = open_world(options.folder, globals);
   const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera, world);
-  const auto camera_in_frame = [&](int frame) {
-    const double in_clip_s = static_cast<double>(frame) / options.frames_per_s;
-    return placed_camera(path ? camera_at(*path, in_clip_s) : standing, world, options.size_px);
-  };
-
   load_asked_state(options.state, world);
   advance_to_asked_time(options.start_s, world);
   const double start_s = world.time_s();
-  const HeadlessContext context(globals.device);
-  Renderer renderer(world, shader_folder());
-  clip.begin();
-  FrameOptions look;
-  look.tier = options.tier;
-  look.memory_budget_bytes = globals.max_memory_bytes;
+  Recording recording(clip, {path, standing, options.size_px, options.frames_per_s, options.tier, options.samples}, globals, world);
+  // To a frame's time, seen as in it; past the last one without being seen.
+  const auto go_on_to = [&](int frame) {
+    if (frame < frames) look_through(recording.camera(frame), world);
+    advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
+  };
   {
     Progress progress("frame", static_cast<std::uint64_t>(frames), globals.quiet);
+    go_on_to(0);
     for (int frame = 0; frame < frames; ++frame) {
-      const Camera camera = camera_in_frame(frame);
-      look_through(camera, world);
-      advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
-      clip.add(renderer.render(camera, look, options.samples));
+      recording.add(frame, [&] { go_on_to(frame + 1); });
       progress.advance();
     }
   }
   clip.finish();
-  // Of the frame that would come next.
-  advance_to(world, start_s + static_cast<double>(frames) / options.frames_per_s);
   save_asked_state(options.state, world);
   say_done(fmt::format("{}: {} frames of {} × {} pixels, {} a second", options.output.string(), frames,
                        options.size_px.x, options.size_px.y, options.frames_per_s),

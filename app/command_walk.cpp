@@ -17,20 +17,19 @@
 #include "app/clip.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/installed_files.h"
 #include "app/messages.h"
 #include "app/open_world.h"
 #include "app/option_values.h"
 #include "app/picture_file.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
+#include "app/recording.h"
 #include "app/state_options.h"
 #include "app/streamed_output.h"
 #include "app/trajectory_table.h"
 #include "app/usage_error.h"
 #include "app/view.h"
 #include "app/world_time.h"
-#include "render/context.h"
 
 namespace prairie {
 namespace {
@@ -91,63 +90,48 @@ double duration_s(const WalkOptions& options, const World& world, const std::opt
   return world.replayed() ? std::max(world.replayed()->last_s() - world.time_s(), 0.0) : kDefaultDurationS;
 }
 
-/// What draws the clip, if one is asked for.
-class Recorder {
- public:
-  Recorder(const WalkOptions& options, const GlobalOptions& globals, const World& world, const std::optional<CameraPath>& path)
-      : options_(options), world_(world), path_(path), context_(globals.device), renderer_(world, shader_folder()),
-        clip_({options.record, options.size_px, options.frames_per_s}, globals.threads) {
-    look_.tier = options.tier;
-    look_.memory_budget_bytes = globals.max_memory_bytes;
-    if (!path_) standing_ = camera_option(options.camera, world);
-    clip_.begin();
-  }
-
-  Camera camera(int frame) const {
-    const double in_clip_s = static_cast<double>(frame) / options_.frames_per_s;
-    return placed_camera(path_ ? camera_at(*path_, in_clip_s) : standing_, world_, options_.size_px);
-  }
-  void add(int frame) { clip_.add(renderer_.render(camera(frame), look_, options_.samples)); }
-  void finish() { clip_.finish(); }
-
- private:
-  const WalkOptions& options_;
-  const World& world_;
-  const std::optional<CameraPath>& path_;
-  CameraSpec standing_;
-  HeadlessContext context_;
-  Renderer renderer_;
-  Clip clip_;
-  FrameOptions look_;
-};
-
 int walk_headless(const WalkOptions& options, const GlobalOptions& globals, World& world) {
   std::optional<CameraPath> path;
   if (!options.path.empty()) path = read_camera_path(options.path);
-  const bool draws = !options.record.empty();
-  if (draws) check_picture_budget(options.size_px, globals.max_memory_bytes);
+  std::optional<Clip> clip;
+  if (!options.record.empty()) {
+    check_picture_budget(options.size_px, globals.max_memory_bytes);
+    clip.emplace(ClipFormat{options.record, options.size_px, options.frames_per_s}, globals.threads);
+  }
   load_asked_state(options.state, world);
   advance_to_asked_time(options.start_s, world);
   const double start_s = world.time_s();
   const double frames_asked = std::max(std::round(duration_s(options, world, path) * options.frames_per_s), 1.0);
   const int frames = static_cast<int>(frames_asked);
-  std::optional<Recorder> recorder;
-  if (draws) recorder.emplace(options, globals, world, path);
+  std::optional<Recording> recording;
+  if (clip) {
+    const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera, world);
+    recording.emplace(*clip, ClipView{path, standing, options.size_px, options.frames_per_s, options.tier, options.samples},
+                      globals, world);
+  }
   std::optional<StreamedOutput> table;
   if (!options.trajectories.empty()) table.emplace(options.trajectories);
   if (table) table->write(trajectory_header());
+  // To a frame's time, seen and told as in it; past the last one neither.
+  const auto go_on_to = [&](int frame) {
+    if (frame < frames && recording) look_through(recording->camera(frame), world);
+    advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
+    if (frame < frames && table) table->write(trajectory_rows(world));
+  };
   {
     Progress progress("step", static_cast<std::uint64_t>(frames), globals.quiet);
+    go_on_to(0);
     for (int frame = 0; frame < frames; ++frame) {
-      if (recorder) look_through(recorder->camera(frame), world);
-      advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
-      if (table) table->write(trajectory_rows(world));
-      if (recorder) recorder->add(frame);
+      const auto go_on = [&] { go_on_to(frame + 1); };
+      if (recording) {
+        recording->add(frame, go_on);
+      } else {
+        go_on();
+      }
       progress.advance();
     }
   }
-  advance_to(world, start_s + static_cast<double>(frames) / options.frames_per_s);
-  if (recorder) recorder->finish();
+  if (clip) clip->finish();
   if (table) table->finish();
   save_asked_state(options.state, world);
   say_done(fmt::format("{} walkers went on to {:.2f} s", world.walkers().size(), world.time_s()), globals.quiet);

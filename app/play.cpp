@@ -53,8 +53,12 @@ Play::Play(World& world, bool paused)
   world_.motion().wake(true);
 }
 
-void Play::advance(double passed_s, const CartControls& controls, const Camera& camera) {
+void Play::look(const Camera& camera) {
   world_.motion().watch(within_reach(watched_place_m(camera, world_.meadow().ground)));
+}
+
+void Play::advance(double passed_s, const CartControls& controls, const Camera& camera) {
+  look(camera);
   const EvenSteps steps = clock_.take(passed_s);
   if (steps.count == 0) return;
   const auto start = std::chrono::steady_clock::now();

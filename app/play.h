@@ -19,7 +19,9 @@ class Play {
   /// Also has the camera stir the air.
   Play(World& world, bool paused);
 
-  /// Lets the world go on for a frame, seen by this camera.
+  /// The world is seen by this camera.
+  void look(const Camera& camera);
+  /// The same, and lets it go on for a frame.
   void advance(double passed_s, const CartControls& controls, const Camera& camera);
 
   /// What pressing `key` (GLFW's code) does: P pauses time, N steps it once meanwhile, [ ] , . ; ' set the wind, B sends a

@@ -54,6 +54,7 @@ class Viewer {
         camera_(start, world, options.follow),
         steering_(world),
         play_(world, options.paused) {
+    play_.look(camera_.camera());
     if (options.walker_overlay) walker_overlay_ = WalkerOverlay::kBoth;
     frame_options_.tier = options.tier;
     frame_options_.msaa = options.msaa;
@@ -77,9 +78,10 @@ class Viewer {
       camera_.resize(stage_->window.framebuffer_size_px());
       camera_.move(steering, std::min(passed.count(), kLongestStepS), world_);
       for (const int key : std::exchange(keys_, {})) press(key);
-      advance(passed.count(), steering.fast);
+      const CartControls arrows = stage_->window.cart_controls();
+      const Camera seen = camera_.camera();
       try {
-        draw();
+        draw([&] { advance(passed.count(), arrows, steering.fast, seen); });
         if (screenshot_wanted_) take_screenshot();
         drawn_on_this_stage_ = true;
         ++frames;
@@ -109,17 +111,16 @@ class Viewer {
     say_warning(notice_);
   }
 
-  /// The arrow keys are the steered walker's, the cart's while there is none.
-  void advance(double passed_s, bool fast) {
-    const CartControls arrows = stage_->window.cart_controls();
+  /// The arrow keys are the steered walker's, the cart's while there is none. Runs while a frame is drawn.
+  void advance(double passed_s, const CartControls& arrows, bool fast, const Camera& seen) {
     steering_.steer({arrows.drive, arrows.steer, fast});
-    play_.advance(passed_s, steering_.steered() ? CartControls{} : arrows, camera_.camera());
-    trails_.follow(world_, camera_.camera().eye_m);
+    play_.advance(passed_s, steering_.steered() ? CartControls{} : arrows, seen);
+    trails_.follow(world_, seen.eye_m);
   }
 
-  void draw() {
+  void draw(const Renderer::Meanwhile& meanwhile) {
     perceive();
-    const FrameStatistics statistics = stage_->renderer.draw(camera_.camera(), frame_options_, 0);
+    const FrameStatistics statistics = stage_->renderer.draw(camera_.camera(), frame_options_, 0, meanwhile);
     if (overlay_shown_) show_overlay(statistics);
     stage_->window.show_frame();
   }

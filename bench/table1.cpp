@@ -60,14 +60,13 @@ class Column {
 
   void step(int frame, const OffscreenTarget& target) {
     const auto start = std::chrono::steady_clock::now();
-    world_.step(kStepS);
-    const std::chrono::duration<double, std::milli> stepped = std::chrono::steady_clock::now() - start;
-    stages_ = renderer_.draw(camera_, {}, target.framebuffer()).gpu_times;
+    double step_ms = 0.0;
+    stages_ = renderer_.draw(camera_, {}, target.framebuffer(), [&] { step_ms = elapsed_ms([&] { world_.step(kStepS); }); }).gpu_times;
     glFinish();
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
     if (frame < 0) return;
     ms_.push_back(passed.count());
-    step_ms_.push_back(stepped.count());
+    step_ms_.push_back(step_ms);
     touched_.push_back(static_cast<double>(world_.motion().touched().size()));
   }
 

@@ -10,12 +10,13 @@ WalkingEye::WalkingEye(const ScaleGround& ground, const ScaleVariant& variant, c
 
 void WalkingEye::step(int frame, const OffscreenTarget& target) {
   const Camera seen = camera(frame);
-  const auto start = std::chrono::steady_clock::now();
-  if (world_.scene().wind || !world_.walkers().empty()) {
+  const bool moves = world_.scene().wind || !world_.walkers().empty();
+  const auto go_on = [&] {
     world_.motion().watch(glm::dvec2(seen.eye_m));
     world_.step(kWalkFrameS);
-  }
-  statistics_ = renderer_.draw(seen, {}, target.framebuffer());
+  };
+  const auto start = std::chrono::steady_clock::now();
+  statistics_ = renderer_.draw(seen, {}, target.framebuffer(), moves ? Renderer::Meanwhile(go_on) : Renderer::Meanwhile());
   glFinish();
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   if (frame < 0) return;

@@ -1,15 +1,18 @@
-#include "render/drawn_walkers.h"
 #include "render/renderer.h"
+
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <glm/gtc/type_precision.hpp>
 #include <optional>
 
 #include "lod/planner.h"
 #include "render/blade_pass.h"
+#include "render/drawn_walkers.h"
 #include "render/field_overlay_pass.h"
 #include "render/graphics_reset.h"
 #include "render/gpu_timer.h"
@@ -47,9 +50,12 @@ glm::vec2 jitter_of(int sample, int samples, glm::ivec2 size_px) {
   return glm::vec2(2.0 * shift / glm::dvec2(size_px));
 }
 
-}  // namespace
-
-namespace {
+/// Ends with `get`.
+std::future<void> begun(const Renderer::Meanwhile& meanwhile) {
+  if (!meanwhile) return std::async(std::launch::deferred, [] {});
+  const bool has_threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
+  return std::async(has_threads ? std::launch::async : std::launch::deferred, std::cref(meanwhile));
+}
 
 struct StageTimers {
   GpuTimer blades, strips, solids, ground, sky;
@@ -150,6 +156,7 @@ struct Renderer::Passes {
     glBindBufferRange(GL_UNIFORM_BUFFER, 0, slice.buffer, slice.offset, sizeof(frame));
   }
 
+  // Reads nothing that time moves: the world may be stepped meanwhile.
   void draw(const FramePlan& plan, glm::vec2 jitter, FrameStatistics& statistics) {
     frame.jitter = jitter;
     show_frame();
@@ -237,20 +244,24 @@ void Renderer::stand(const StandingThings& things) {
   passes_->obstacles.set(things, passes_->world->meadow().ground);
 }
 
-FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options, unsigned target) {
+FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options, unsigned target,
+                               const Meanwhile& meanwhile) {
   FrameStatistics statistics;
   const FramePlan plan = passes_->plan(camera, options, statistics);
   const RenderTarget& frame = passes_->target_of(camera, options.msaa);
   passes_->prepare(plan, options, statistics);
+  std::future<void> beside = begun(meanwhile);
   frame.begin();
   passes_->draw(plan, glm::vec2(0.0f), statistics);
   passes_->tone_map(frame.resolved(), target, camera.size_px);
+  glFlush();
+  beside.get();
   statistics.gpu_times = passes_->timers.finish_frame();
   check_context();
   return statistics;
 }
 
-Picture Renderer::render(const Camera& camera, const FrameOptions& options, int samples) {
+Picture Renderer::render(const Camera& camera, const FrameOptions& options, int samples, const Meanwhile& meanwhile) {
   assert(samples >= 1);
   Picture picture;
   picture.width = camera.size_px.x;
@@ -262,6 +273,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
   std::vector<double> sum(values, 0.0);
   std::vector<float> pixels(values);
   passes_->prepare(plan, options, picture.statistics);
+  std::future<void> beside = begun(meanwhile);
   for (int sample = 0; sample < samples; ++sample) {
     frame.begin();
     passes_->draw(plan, jitter_of(sample, samples, camera.size_px), picture.statistics);
@@ -289,6 +301,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
     }
     picture.cover[to] = static_cast<float>(sum[4 * pixel + 3] / samples);
   }
+  beside.get();
   return picture;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -72,12 +73,17 @@ class Renderer {
   /// What stands in the meadow from now on. Throws NoSuitableOpenGl, BadInput (render/obstacle_pass.h).
   void stand(const StandingThings& things);
 
+  /// What is done while a frame is drawn: once all that time moves has been read, it runs beside the drawing in a thread of its
+  /// own (afterwards, where oneTBB may use only one) and has ended when the drawing returns. It may step the world for the next
+  /// frame, not touch OpenGL. What it throws is passed on.
+  using Meanwhile = std::function<void()>;
+
   /// Draws one frame into the framebuffer `target` (0: the window), tone-mapped. The camera's size is the
   /// target's.
-  FrameStatistics draw(const Camera& camera, const FrameOptions& options, unsigned target);
+  FrameStatistics draw(const Camera& camera, const FrameOptions& options, unsigned target, const Meanwhile& meanwhile = {});
 
   /// Draws `samples` jittered frames, averages them in linear light and reads the picture back.
-  Picture render(const Camera& camera, const FrameOptions& options, int samples);
+  Picture render(const Camera& camera, const FrameOptions& options, int samples, const Meanwhile& meanwhile = {});
 
  private:
   struct Passes;

@@ -1,11 +1,16 @@
 // Pictures of a small world: the same every time, of the right colours, with the blades that they should
 // hold.
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 
 #include "generator/plant.h"
 #include "generator/tiles.h"
+#include "render/gl_objects.h"
 #include "render/renderer.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
@@ -106,6 +111,56 @@ TEST_F(PictureTest, SamplesSmoothAndMsaaKeepsThePicture) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     EXPECT_NEAR(one[channel], many[channel], 4.0);
     EXPECT_NEAR(one[channel], msaa[channel], 4.0);
+  }
+}
+
+class MeanwhileTest : public PictureTest {
+ protected:
+  World windy_world() {
+    Scene scene = meadow_scene(folder_);
+    scene.wind.emplace().speed_m_per_s = 5.0;
+    World world = open_world(std::move(scene));
+    world.watch_anew({16.0, 2.0});
+    return world;
+  }
+};
+
+TEST_F(MeanwhileTest, PicturesAreThoseOfAWorldThatWaits) {
+  World waiting = windy_world(), going_on = windy_world();
+  const Camera camera = camera_above(waiting, {16.0, 2.0}, 1.7, 0.0, -0.2);
+  Renderer first(waiting, PRAIRIE_TEST_SHADERS), second(going_on, PRAIRIE_TEST_SHADERS);
+  std::vector<float> last;
+  for (int frame = 0; frame < 6; ++frame) {
+    // The last with a single thread.
+    std::optional<tbb::global_control> limit;
+    if (frame == 5) limit.emplace(tbb::global_control::max_allowed_parallelism, 1);
+    const Picture expected = first.render(camera, {}, 1);
+    waiting.step(0.1);
+    const Picture found = second.render(camera, {}, 1, [&] { going_on.step(0.1); });
+    EXPECT_EQ(found.linear_rgb, expected.linear_rgb) << frame;
+    EXPECT_EQ(going_on.saved_state(), waiting.saved_state()) << frame;
+    EXPECT_NE(found.linear_rgb, last) << "grass that stands still, frame " << frame;
+    last = found.linear_rgb;
+  }
+}
+
+TEST_F(MeanwhileTest, HasEndedWhenTheFrameIsDrawnAndIsDoneOnce) {
+  const World world = windy_world();
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  const Camera camera = camera_above(world, {16.0, 2.0}, 1.7, 0.0, -0.2);
+  const GlTexture color = make_texture(GL_TEXTURE_2D);
+  glTextureStorage2D(color.get(), 1, GL_RGBA8, camera.size_px.x, camera.size_px.y);
+  const GlFramebuffer target = make_framebuffer();
+  glNamedFramebufferTexture(target.get(), GL_COLOR_ATTACHMENT0, color.get(), 0);
+  for (const std::size_t threads : {1, 2}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    int done = 0;
+    renderer.draw(camera, {}, target.get(), [&] { ++done; });
+    EXPECT_EQ(done, 1);
+    renderer.render(camera, {}, 3, [&] { ++done; });
+    EXPECT_EQ(done, 2);
+    EXPECT_THROW(renderer.draw(camera, {}, target.get(), [] { throw std::runtime_error("no"); }), std::runtime_error);
+    EXPECT_THROW(renderer.render(camera, {}, 1, [] { throw std::runtime_error("no"); }), std::runtime_error);
   }
 }
 
