@@ -1,5 +1,7 @@
 #include "app/kept_memory.h"
 
+#include <cstdlib>  // which tells whether the C library is glibc
+
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
