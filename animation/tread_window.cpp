@@ -117,11 +117,9 @@ double nearest_m(int level) {
 TreadWindow::TreadWindow() : image_(layouts::kTreadLevels * kTexels) {}
 
 void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
-  std::array<std::array<bool, kSide>, layouts::kTreadLevels> is_changed{};
-  const auto mark = [&](const Block& block) {
-    for (int row = block.first_row; row < block.end_row; ++row)
-      is_changed[static_cast<std::size_t>(block.level)][static_cast<std::size_t>(wrapped(row, kSide))] = true;
-  };
+  if (treading.revision() == revision_ && eye_m == centre_m_) return;
+  revision_ = treading.revision();
+  centre_m_ = eye_m;
   for (const Block& block : painted_) {
     for (int row = block.first_row; row < block.end_row; ++row) {
       for (int column = block.first_column; column < block.end_column; ++column) image_[index_of(block.level, row, column)] = {};
@@ -129,7 +127,6 @@ void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
     mark(block);
   }
   painted_.clear();
-  centre_m_ = eye_m;
 
   const std::vector<PageIndex> pages = pages_around(treading);
   std::vector<Block> blocks(pages.size() * layouts::kTreadLevels);
@@ -141,17 +138,26 @@ void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
     painted_.push_back(block);
     mark(block);
   }
+}
 
-  changed_.clear();
+void TreadWindow::mark(const Block& block) {
+  for (int row = block.first_row; row < block.end_row; ++row)
+    is_changed_[static_cast<std::size_t>(block.level)][static_cast<std::size_t>(wrapped(row, kSide))] = true;
+}
+
+std::vector<TreadWindow::Rows> TreadWindow::take_changed() {
+  std::vector<Rows> changed;
   for (int level = 0; level < layouts::kTreadLevels; ++level) {
-    const auto& rows = is_changed[static_cast<std::size_t>(level)];
+    auto& rows = is_changed_[static_cast<std::size_t>(level)];
     for (int first = 0; first < kSide;) {
       int end = first;
       while (end < kSide && rows[static_cast<std::size_t>(end)]) ++end;
-      if (end > first) changed_.push_back({level, first, end - first});
+      if (end > first) changed.push_back({level, first, end - first});
       first = end + 1;
     }
+    rows.fill(false);
   }
+  return changed;
 }
 
 std::size_t TreadWindow::index_of(int level, int row, int column) {

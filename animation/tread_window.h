@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "animation/treading.h"
+#include "shaders/shared/layouts.h"
 
 namespace prairie {
 
@@ -19,7 +20,7 @@ class TreadWindow {
  public:
   TreadWindow();
 
-  /// Paints what `treading` holds around `eye_m` at its time.
+  /// Paints what `treading`, the same each time, holds around `eye_m` at its time; nothing where that is painted already.
   void paint(const Treading& treading, glm::dvec2 eye_m);
 
   glm::dvec2 centre_m() const { return centre_m_; }
@@ -31,8 +32,8 @@ class TreadWindow {
   struct Rows {
     int layer, first, count;
   };
-  /// Outside these the image is what it was before it was last painted.
-  std::span<const Rows> changed() const { return changed_; }
+  /// Outside these the image is what it was when this was last asked; at first, empty.
+  std::vector<Rows> take_changed();
 
  private:
   /// Texels of the endless lattice that the torus holds a part of.
@@ -41,14 +42,16 @@ class TreadWindow {
     int first_row = 0, end_row = 0, first_column = 0, end_column = 0;
   };
   static std::size_t index_of(int level, int row, int column);
+  void mark(const Block& block);
   std::vector<PageIndex> pages_around(const Treading& treading) const;
   /// Paints the texels whose middles lie in the page.
   Block paint_page(const Treading& treading, PageIndex page, int level);
 
   glm::dvec2 centre_m_{0.0};
+  std::uint64_t revision_ = 0;  // of what is painted; 0: nothing yet
   std::vector<TreadTexel> image_;
   std::vector<Block> painted_;  // the rest is at rest
-  std::vector<Rows> changed_;
+  std::array<std::array<bool, layouts::kTreadSide>, layouts::kTreadLevels> is_changed_{};  // rows
 };
 
 }  // namespace prairie

@@ -111,6 +111,7 @@ Treading::Treading(const TreadSettings& settings, NodeGrid recovery_s)
 void Treading::restore(TreadState state) {
   check_state(settings_, state);
   state_ = std::move(state);
+  ++revision_;
 }
 
 void Treading::step(std::span<const TreadStep> steps, double to_s) {
@@ -196,6 +197,7 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
     }
   });
   state_.time_s = to_s;
+  ++revision_;
 
   // Looking for pages at rest once a second is enough.
   if (std::floor(from_s) != std::floor(to_s)) {
@@ -282,6 +284,7 @@ void Treading::read_wear(const NodeRect& rect, std::span<float> out) const {
 void Treading::write_wear(const NodeRect& rect, std::span<const float> wear) {
   assert(wear.size() == static_cast<std::size_t>(rect.columns) * static_cast<std::size_t>(rect.rows));
   check_wear(wear);
+  ++revision_;
   std::size_t index = 0;
   for (int row = 0; row < rect.rows; ++row) {
     for (int column = 0; column < rect.columns; ++column, ++index) {

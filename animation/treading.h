@@ -46,6 +46,8 @@ class Treading {
 
   const TreadSettings& settings() const { return settings_; }
   const TreadState& state() const { return state_; }
+  /// Another one whenever the state has become another.
+  std::uint64_t revision() const { return revision_; }
 
   /// Throws BadInput, and changes nothing, if the state has other nodes or numbers out of range.
   void restore(TreadState state);
@@ -78,6 +80,7 @@ class Treading {
   TreadSettings settings_;
   NodeGrid recovery_s_;
   TreadState state_;
+  std::uint64_t revision_ = 1;
 };
 
 }  // namespace prairie

@@ -25,7 +25,7 @@ glm::dvec2 watched_place_m(const Camera& camera, const HeightField& ground) {
 
 void look_through(const Camera& camera, World& world) {
   const glm::dvec2 place_m = watched_place_m(camera, world.meadow().ground);
-  if (world.motion().is_watched()) {
+  if (world.motion().eye_m()) {
     world.motion().watch(place_m);
   } else {
     world.watch_anew(place_m);

@@ -26,11 +26,15 @@ double coarsest_period_m() {
 
 }  // namespace
 
+void MovingFields::paint(const Motion& motion, glm::dvec2 eye_m) {
+  if (motion.treading().bytes() > 0 || !window_.is_empty()) window_.paint(motion.treading(), motion.eye_m().value_or(eye_m));
+}
+
 void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame) {
   const std::optional<Sway>& sway = motion.sway();
   const ConditionWindow* conditions = motion.conditions();
-  // Those that sway and those of conditions lie around the same eye.
-  const glm::dvec2 centre_m = sway ? sway->centre_m() : conditions != nullptr ? conditions->centre_m() : eye_m;
+  // Around the eye that watches lie blades that sway and conditions, too.
+  const glm::dvec2 centre_m = motion.eye_m().value_or(eye_m);
   const double period_m = coarsest_period_m();
   frame.field_centre_from_eye_m = glm::vec2(centre_m - eye_m);
   frame.field_centre_m = glm::vec2(centre_m - period_m * glm::floor(centre_m / period_m));
@@ -59,8 +63,8 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
       const std::int8_t rest[4] = {};
       glClearTexImage(treads_.get(), 0, GL_RGBA, GL_BYTE, rest);
     }
-    window_.paint(motion.treading(), centre_m);
-    for (const TreadWindow::Rows& rows : window_.changed()) {
+    paint(motion, eye_m);
+    for (const TreadWindow::Rows& rows : window_.take_changed()) {
       const auto first = static_cast<std::size_t>(rows.layer * layouts::kTreadSide + rows.first) * layouts::kTreadSide;
       glTextureSubImage3D(treads_.get(), 0, 0, rows.first, rows.layer, layouts::kTreadSide, rows.count, 1, GL_RGBA, GL_BYTE,
                           window_.image().subspan(first).data());

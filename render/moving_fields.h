@@ -10,6 +10,8 @@ namespace prairie {
 
 class MovingFields {
  public:
+  /// Makes ready what `show` uploads, so that it has less to do if nothing moves until then. Does without OpenGL.
+  void paint(const Motion& motion, glm::dvec2 eye_m);
   /// Uploads what a frame seen from there needs and tells the frame block where it lies.
   void show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame);
   void bind() const;

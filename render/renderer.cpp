@@ -50,13 +50,6 @@ glm::vec2 jitter_of(int sample, int samples, glm::ivec2 size_px) {
   return glm::vec2(2.0 * shift / glm::dvec2(size_px));
 }
 
-/// Ends with `get`.
-std::future<void> begun(const Renderer::Meanwhile& meanwhile) {
-  if (!meanwhile) return std::async(std::launch::deferred, [] {});
-  const bool has_threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
-  return std::async(has_threads ? std::launch::async : std::launch::deferred, std::cref(meanwhile));
-}
-
 struct StageTimers {
   GpuTimer blades, strips, solids, ground, sky;
 
@@ -156,6 +149,17 @@ struct Renderer::Passes {
     glBindBufferRange(GL_UNIFORM_BUFFER, 0, slice.buffer, slice.offset, sizeof(frame));
   }
 
+  // Begins what is done meanwhile, which ends with `get`.
+  std::future<void> begin_meanwhile(const Meanwhile& meanwhile, glm::dvec2 eye_m) {
+    if (!meanwhile) return std::async(std::launch::deferred, [] {});
+    const bool has_threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
+    return std::async(has_threads ? std::launch::async : std::launch::deferred, [this, &meanwhile, eye_m] {
+      meanwhile();
+      // Most likely that is what the next frame shows.
+      fields.paint(world->motion(), eye_m);
+    });
+  }
+
   // Reads nothing that time moves: the world may be stepped meanwhile.
   void draw(const FramePlan& plan, glm::vec2 jitter, FrameStatistics& statistics) {
     frame.jitter = jitter;
@@ -250,7 +254,7 @@ FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options
   const FramePlan plan = passes_->plan(camera, options, statistics);
   const RenderTarget& frame = passes_->target_of(camera, options.msaa);
   passes_->prepare(plan, options, statistics);
-  std::future<void> beside = begun(meanwhile);
+  std::future<void> beside = passes_->begin_meanwhile(meanwhile, glm::dvec2(camera.eye_m));
   frame.begin();
   passes_->draw(plan, glm::vec2(0.0f), statistics);
   passes_->tone_map(frame.resolved(), target, camera.size_px);
@@ -273,7 +277,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
   std::vector<double> sum(values, 0.0);
   std::vector<float> pixels(values);
   passes_->prepare(plan, options, picture.statistics);
-  std::future<void> beside = begun(meanwhile);
+  std::future<void> beside = passes_->begin_meanwhile(meanwhile, glm::dvec2(camera.eye_m));
   for (int sample = 0; sample < samples; ++sample) {
     frame.begin();
     passes_->draw(plan, jitter_of(sample, samples, camera.size_px), picture.statistics);

@@ -43,7 +43,8 @@ class Motion {
 
   std::int64_t ticks() const { return ticks_; }
   double time_s() const { return seconds_of(ticks_); }
-  bool is_watched() const { return eye_m_.has_value(); }
+  /// Around which blades sway; nothing as long as nobody watches.
+  const std::optional<glm::dvec2>& eye_m() const { return eye_m_; }
   const Wind& wind() const { return wind_; }
   const Treading& treading() const { return treading_; }
   /// Nothing in still air, or as long as nobody watches.

@@ -107,14 +107,18 @@ TEST(TreadWindow, TellsWhichRowsHaveChanged) {
     const TreadStep step = random_step(random, 1);
     treading.step({&step, 1}, 5.0 * (n + 1));
     const glm::dvec2 eye_m(0.37 * n, n < 30 ? -0.2 * n : 500.0);
+    // As if some were painted and never shown.
+    if (n % 3 == 0) window.paint(treading, eye_m + 2.0);
     window.paint(treading, eye_m);
-    for (const TreadWindow::Rows& rows : window.changed()) {
+    for (const TreadWindow::Rows& rows : window.take_changed()) {
       const auto first = (static_cast<std::ptrdiff_t>(rows.layer) * kSide + rows.first) * kSide;
       std::copy_n(window.image().begin() + first, static_cast<std::ptrdiff_t>(rows.count) * kSide, shown.begin() + first);
     }
     TreadWindow fresh;
     fresh.paint(treading, eye_m);
     ASSERT_TRUE(std::ranges::equal(shown, fresh.image())) << n;
+    window.paint(treading, eye_m);
+    EXPECT_TRUE(window.take_changed().empty()) << "painted already";
   }
 }
 
