@@ -10,7 +10,7 @@ namespace prairie {
 
 struct Species {
   std::string name;
-  SpeciesParams params;
+  SpeciesParams params{};
 };
 
 }  // namespace prairie
