@@ -14,10 +14,6 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 #include "shaders/pass/moving_fields.glsl"
 #endif
 
-#include "shaders/shared/tile_morphs.glsl"
-
-layout(binding = 1) uniform sampler2D tile_morphs;
-
 struct PatchParams {
   vec2 anchor_from_corner_m;
   float quad_m;
@@ -34,35 +30,23 @@ layout(location = 1) out vec3 ground_normal;
 layout(location = 2) out vec3 sward_radiance;  // of the mean albedo
 layout(location = 3) out float depth_per_leaf_area;  // optical depth along the line of sight
 layout(location = 4) out vec4 haze_color_and_share;
-layout(location = 5) out vec4 standing;
+layout(location = 5) out vec4 above;
 #ifdef CONDITIONED
 layout(location = 6) out vec3 color_factor;  // of the sward
 #endif
 
-// How far the tile at a place has morphed, as planned: its blades and strips stand by its middle, not by this vertex.
-float tile_morph(vec3 from_eye_m, float distance_m, float n_dot_r) {
-  ivec2 tile = ivec2(floor((from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m)) + kTileMorphSide / 2;
-  float steps = 255.0;
-  if (all(greaterThanEqual(tile, ivec2(0))) && all(lessThan(tile, ivec2(kTileMorphSide)))) steps = 255.0 * texelFetch(tile_morphs, tile, 0).r;
-  if (steps <= kTileMorphSteps + 0.5) return steps / kTileMorphSteps;
-  return strip_morph(frame.lod, strip_band(frame.lod, distance_m), n_dot_r);
-}
-
-// What stands on the ground in the tiers above: see cover_left in shaders/pass/ground.frag.
-vec4 standing_above(vec3 from_eye_m, vec3 ground_normal, float sin_elevation, float density_per_m2) {
+// What stands on the ground in the tiers above, but for the tile's morph: see standing_above in shaders/pass/ground.frag.
+vec4 tiers_above(vec3 from_eye_m, vec3 ground_normal, float sin_elevation, float density_per_m2) {
   vec3 from_lod_eye_m = from_eye_m - frame.lod_eye_m;
   float distance_m = length(from_lod_eye_m);
   vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-4);
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
   float n_dot_r = dot(ground_normal, to_lod_eye);
-  float morph = tile_morph(from_eye_m, distance_m, n_dot_r);
   float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m, frame.blade_width_m) * crowded_share(frame.lod, density_per_m2);
   float area = min(area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
-  float grown = strips_grown(morph);
-  float left = blades_left(morph);
   float level = sqrt(max(1.0 - sin_elevation * sin_elevation, 1.0e-6));
-  float reach_m = frame.strip_height_m * max(grown, feet_slid(morph) * left) * level / sin_elevation;
-  return vec4(area * left, grown * (1.0 - sunk_share(frame.lod, distance_m)), reach_m, feet_slid(morph));
+  return vec4(area, 1.0 - sunk_share(frame.lod, distance_m), frame.strip_height_m * level / sin_elevation,
+              strip_morph(frame.lod, strip_band(frame.lod, distance_m), n_dot_r));
 }
 
 void main() {
@@ -87,7 +71,7 @@ void main() {
 #ifdef CONDITIONED
   color_factor = condition_at(from_eye_m.xy).rgb;
 #endif
-  standing = standing_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
+  above = tiers_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);
 
