@@ -79,9 +79,8 @@ class Viewer {
       camera_.move(steering, std::min(passed.count(), kLongestStepS), world_);
       for (const int key : std::exchange(keys_, {})) press(key);
       const CartControls arrows = stage_->window.cart_controls();
-      const Camera seen = camera_.camera();
       try {
-        draw([&] { advance(passed.count(), arrows, steering.fast, seen); });
+        draw([&] { advance(passed.count(), arrows, steering.fast); });
         if (screenshot_wanted_) take_screenshot();
         drawn_on_this_stage_ = true;
         ++frames;
@@ -112,10 +111,10 @@ class Viewer {
   }
 
   /// The arrow keys are the steered walker's, the cart's while there is none. Runs while a frame is drawn.
-  void advance(double passed_s, const CartControls& arrows, bool fast, const Camera& seen) {
+  void advance(double passed_s, const CartControls& arrows, bool fast) {
     steering_.steer({arrows.drive, arrows.steer, fast});
-    play_.advance(passed_s, steering_.steered() ? CartControls{} : arrows, seen);
-    trails_.follow(world_, seen.eye_m);
+    play_.advance(passed_s, steering_.steered() ? CartControls{} : arrows, camera_.camera());
+    trails_.follow(world_, camera_.camera().eye_m);
   }
 
   void draw(const Renderer::Meanwhile& meanwhile) {
