@@ -10,16 +10,16 @@
 namespace prairie {
 namespace {
 
-constexpr double kForgetsTurnS = 1.5;    // after it has been free for so long
-constexpr double kWanderTurnRad = 0.5;   // deviation of where a wanderer turns to
-constexpr double kStrollM = 12.0;        // a stroller turns back beyond
-constexpr double kNearerM = 0.3;         // a detour is over when the goal is so much nearer than before it
-constexpr double kGivesUpDetourS = 60.0; // and goes round the other way
-constexpr double kFollowM = 0.8;         // distance at which it goes along what it goes round
-constexpr double kHeldUpS = 1.5;         // after which it backs off
+constexpr double kForgetsTurnS = 1.5;     // after it has been free for so long
+constexpr double kWanderTurnRad = 0.5;    // deviation of where a wanderer turns to
+constexpr double kStrollM = 12.0;         // a stroller turns back beyond
+constexpr double kNearerM = 0.3;          // a detour is over when the goal is so much nearer than before it
+constexpr double kGivesUpDetourS = 60.0;  // and goes round the other way
+constexpr double kFollowM = 0.8;          // distance at which it goes along what it goes round
+constexpr double kHeldUpS = 1.5;          // after which it backs off
 constexpr double kBacksOffS = 1.6;
-constexpr double kMoves = 0.12;          // share of the canonical speed
-constexpr double kLeastSpeed = 0.25;     // share of the canonical one, before an obstacle
+constexpr double kMoves = 0.12;       // share of the canonical speed
+constexpr double kLeastSpeed = 0.25;  // share of the canonical one, before an obstacle
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
@@ -57,8 +57,8 @@ MotorCommand head_for(const Sight& sight, glm::dvec2 place_m, Memory& memory) {
   const bool is_solid = nearest.kind == Percept::Kind::kObstacle;
   if (memory.met_m < 0.0) {
     // What lies beyond the goal is not in the way.
-    const bool is_in_way = is_solid && nearest.distance_m < kFollowM && glm::dot(wanted, nearest.toward) > 0.5 &&
-                           away_m > nearest.distance_m;
+    const bool is_in_way = is_solid && nearest.distance_m < kFollowM &&
+                           glm::dot(wanted, nearest.toward) > 0.5 && away_m > nearest.distance_m;
     if (!is_in_way) return avoiding(sight, wanted, memory);
     memory.met_m = away_m;
     memory.met_s = sight.time_s;
@@ -89,7 +89,9 @@ MotorCommand head_for(const Sight& sight, glm::dvec2 place_m, Memory& memory) {
 MotorCommand to_goals(const Sight& sight, Memory& memory, bool again) {
   if (sight.goals.empty()) return wander(sight, memory);
   const auto count = static_cast<std::int32_t>(sight.goals.size());
-  const auto goal_of = [&](std::int32_t n) { return sight.goals[static_cast<std::size_t>(std::clamp(n, 0, count - 1))]; };
+  const auto goal_of = [&](std::int32_t n) {
+    return sight.goals[static_cast<std::size_t>(std::clamp(n, 0, count - 1))];
+  };
   const Goal goal = goal_of(memory.goal);
   if (glm::length(goal.position_m - sight.position_m) > goal.radius_m) {
     memory.goal_since_s = -1.0;  // pushed aside while it stayed, it goes back
@@ -130,7 +132,8 @@ std::span<const Behaviour> behaviours() {
 }
 
 const Behaviour* find_behaviour(std::string_view name) {
-  const auto found = std::find_if(kBehaviours.begin(), kBehaviours.end(), [&](const Behaviour& b) { return b.name == name; });
+  const auto found = std::find_if(kBehaviours.begin(), kBehaviours.end(),
+                                  [&](const Behaviour& b) { return b.name == name; });
   return found == kBehaviours.end() ? nullptr : &*found;
 }
 
@@ -140,7 +143,8 @@ double noise_deviation(double deviation, double distance_m, double sensor_m) {
 
 MotorCommand avoiding(const Sight& sight, glm::dvec2 wanted, Memory& memory) {
   const Percept& nearest = sight.nearest;
-  if (nearest.kind == Percept::Kind::kNothing || sight.moving_m_per_s > kMoves * sight.speed_m_per_s) memory.moved_s = sight.time_s;
+  if (nearest.kind == Percept::Kind::kNothing || sight.moving_m_per_s > kMoves * sight.speed_m_per_s)
+    memory.moved_s = sight.time_s;
   if (sight.time_s - memory.moved_s > kHeldUpS && sight.time_s > memory.backs_off_until_s) {
     memory.backs_off_until_s = sight.time_s + kBacksOffS;
     memory.turn = -memory.turn;

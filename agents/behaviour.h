@@ -1,12 +1,13 @@
-// How walkers decide (G03 §5.2): from what a walker perceives of the nearest obstacle, (d, θ), to a motor command, (v, φ). A
-// behaviour is a value; a scene chooses it by name. Another one is a function more in the table of behaviours(), and nothing
-// else changes.
+// How walkers decide (G03 §5.2): from what a walker perceives of the nearest obstacle, (d, θ), to a motor
+// command, (v, φ). A behaviour is a value; a scene chooses it by name. Another one is a function more in the
+// table of behaviours(), and nothing else changes.
 //
-// G03: v falls as an obstacle comes near; φ turns away from θ; Gaussian noise is added, less of it the nearer the obstacle.
-// The paper's σ ∝ 1/d would do the opposite of what it is for; here σ = σ₀ min(1, d/d_sensor).
-// Beyond the paper, walkers remember to which side they turn until they are free, so that corners do not turn them to and
-// fro; who is held up between several things, of which it sees the nearest alone, backs off; and a walker with a goal goes round what it met until it is nearer to the goal than where it met it (after the "bug"
-// algorithms of Lumelsky and Stepanov 1987), so that dead ends are left again.
+// G03: v falls as an obstacle comes near; φ turns away from θ; Gaussian noise is added, less of it the nearer
+// the obstacle. The paper's σ ∝ 1/d would do the opposite of what it is for; here σ = σ₀ min(1, d/d_sensor).
+// Beyond the paper, walkers remember to which side they turn until they are free, so that corners do not turn
+// them to and fro; who is held up between several things, of which it sees the nearest alone, backs off; and
+// a walker with a goal goes round what it met until it is nearer to the goal than where it met it (after the
+// "bug" algorithms of Lumelsky and Stepanov 1987), so that dead ends are left again.
 //
 // All by +, −, ×, ÷ and √.
 #pragma once
@@ -24,7 +25,7 @@ struct Percept {
   enum class Kind : std::uint32_t { kNothing, kObstacle, kWalker, kMover };
 
   Kind kind = Kind::kNothing;
-  double distance_m = 0.0;        // d, between the edges in the plan; the sensor range where there is nothing
+  double distance_m = 0.0;      // d, between the edges in the plan; the sensor range where there is nothing
   glm::dvec2 toward{1.0, 0.0};  // unit: the heading plus θ
 
   bool operator==(const Percept&) const = default;
@@ -46,7 +47,7 @@ struct Memory {
   double met_m = -1.0;         // how far from the goal it met what it goes round; negative: nothing
   double met_s = 0.0;          // when
 
-  double moved_s = 0.0;        // when it last came along
+  double moved_s = 0.0;  // when it last came along
   double backs_off_until_s = -1e9;
 
   bool operator==(const Memory&) const = default;

@@ -56,7 +56,8 @@ ConvexHull convex_hull(std::span<const glm::dvec3> points_m) {
 
   // CGAL's order depends on where things lie in memory.
   std::vector<Mesh::Vertex_index> order(mesh.vertices().begin(), mesh.vertices().end());
-  std::ranges::sort(order, [&](Mesh::Vertex_index a, Mesh::Vertex_index b) { return mesh.point(a) < mesh.point(b); });
+  std::ranges::sort(
+      order, [&](Mesh::Vertex_index a, Mesh::Vertex_index b) { return mesh.point(a) < mesh.point(b); });
   std::vector<std::uint32_t> place(mesh.num_vertices());
   ConvexHull hull;
   hull.vertices_m.reserve(order.size());

@@ -1,6 +1,7 @@
 // The convex hull of points in space, in its own frame, ready for distances (agents/convex_shapes.h,
 // PlacedHull): its vertices, which of them are adjacent, and its surface. By CGAL's quickhull with exact
-// predicates, so that no rounding decides what is a vertex; vertices are points of the input, bit for bit, in an order that depends on them alone.
+// predicates, so that no rounding decides what is a vertex; vertices are points of the input, bit for bit, in
+// an order that depends on them alone.
 #pragma once
 
 #include <array>

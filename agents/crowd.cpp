@@ -28,20 +28,22 @@ constexpr double kSkinM = 1e-4;          // that bodies keep between them
 constexpr double kFastestM_per_s = 3.5;  // of anybody
 constexpr double kMostPushM = 1.0;       // by a mover, in a step
 constexpr double kFasterM_per_s2 = 1.2, kSlowerM_per_s2 = 3.0;
-constexpr double kTurnRate = 3.5;        // 1/s, of the angle that is left
+constexpr double kTurnRate = 3.5;  // 1/s, of the angle that is left
 constexpr double kMostTurnRad_per_s = 2.6;
-constexpr double kNoiseKnotS = 0.8;      // between independent values of the noise
+constexpr double kNoiseKnotS = 0.8;                            // between independent values of the noise
 constexpr std::size_t kMostLimits = 24, kMostFirmLimits = 20;  // the others are for movers
-constexpr int kMostTries = 400;          // to find room for a walker
-constexpr double kApartM = 0.05;         // at the start
-constexpr double kStandsBelow = 1e-3;    // m/s
+constexpr int kMostTries = 400;                                // to find room for a walker
+constexpr double kApartM = 0.05;                               // at the start
+constexpr double kStandsBelow = 1e-3;                          // m/s
 
 enum class Purpose : std::uint32_t { kStart = 0x77616c6bu, kSpeedNoise, kHeadingNoise, kWander, kTraits };
 
 std::array<double, 3> units(std::uint32_t seed, std::uint32_t walker, Purpose purpose, std::uint32_t n) {
   Kernels kernels;
-  const glm::uvec3 words = kernels.hash_uvec3(glm::uvec3(seed ^ kernels.hash_u32(static_cast<std::uint32_t>(purpose)), walker, n));
-  return {static_cast<double>(kernels.unit_from_u32(words.x)), static_cast<double>(kernels.unit_from_u32(words.y)),
+  const glm::uvec3 words =
+      kernels.hash_uvec3(glm::uvec3(seed ^ kernels.hash_u32(static_cast<std::uint32_t>(purpose)), walker, n));
+  return {static_cast<double>(kernels.unit_from_u32(words.x)),
+          static_cast<double>(kernels.unit_from_u32(words.y)),
           static_cast<double>(kernels.unit_from_u32(words.z))};
 }
 
@@ -53,7 +55,8 @@ double gaussian(std::uint32_t seed, std::uint32_t walker, Purpose purpose, std::
     const glm::uvec3 words = kernels.hash_uvec3(
         glm::uvec3(seed ^ kernels.hash_u32(static_cast<std::uint32_t>(purpose)), walker, 2 * n + part));
     for (const std::uint32_t word : {words.x, words.y, words.z})
-      sum += static_cast<double>(kernels.unit_from_low16(word)) + static_cast<double>(kernels.unit_from_high16(word));
+      sum += static_cast<double>(kernels.unit_from_low16(word)) +
+             static_cast<double>(kernels.unit_from_high16(word));
   }
   return sum - 6.0 + 12.0 * 0.5 / 65536.0;
 }
@@ -63,7 +66,8 @@ double noise_at(std::uint32_t seed, std::uint32_t walker, Purpose purpose, doubl
   const double knots = time_s / kNoiseKnotS, knot = std::floor(knots), t = knots - knot;
   const auto n = static_cast<std::uint32_t>(static_cast<std::int64_t>(knot));
   const double a = 1.0 - t, b = t;
-  return (a * gaussian(seed, walker, purpose, n) + b * gaussian(seed, walker, purpose, n + 1)) / std::sqrt(a * a + b * b);
+  return (a * gaussian(seed, walker, purpose, n) + b * gaussian(seed, walker, purpose, n + 1)) /
+         std::sqrt(a * a + b * b);
 }
 
 /// Towards `wanted` by what a step's time allows.
@@ -78,7 +82,9 @@ glm::dvec2 turned_towards(glm::dvec2 forward, glm::dvec2 wanted, double dt_s) {
 
 /// Tobler 1993, "Three presentations on geographical analysis and modeling", relative to level ground.
 double share_on_slope(double grade) {
-  return static_cast<double>(Kernels{}.falling_exponential(static_cast<float>(3.5 * std::abs(grade + 0.05)))) / 0.8394570;
+  return static_cast<double>(
+             Kernels{}.falling_exponential(static_cast<float>(3.5 * std::abs(grade + 0.05)))) /
+         0.8394570;
 }
 
 void nearer(const PlanDistance& found, Percept::Kind kind, Percept& nearest) {
@@ -91,7 +97,8 @@ PlanDistance between(const Disc& from, const Disc& to) {
 }
 
 bool is_beyond(const FootprintBox& box, glm::dvec2 position_m, double reach_m) {
-  const glm::dvec2 apart = glm::max(glm::max(box.low_m - position_m, position_m - box.high_m), glm::dvec2(0.0));
+  const glm::dvec2 apart =
+      glm::max(glm::max(box.low_m - position_m, position_m - box.high_m), glm::dvec2(0.0));
   return glm::dot(apart, apart) > reach_m * reach_m;
 }
 
@@ -118,11 +125,12 @@ class Crowd::Neighbours {
     std::sort(entries_.begin(), entries_.end());
     // Beside one another in memory, as they are looked at.
     bodies_.reserve(entries_.size());
-    for (const Entry& entry : entries_) bodies_.push_back({walkers[entry.walker].position_m, traits[entry.walker].radius_m});
+    for (const Entry& entry : entries_)
+      bodies_.push_back({walkers[entry.walker].position_m, traits[entry.walker].radius_m});
   }
 
-  /// Calls `visit(index, body)` for all whose bodies may be within the longest sensor range; in an order that depends on their
-  /// places alone.
+  /// Calls `visit(index, body)` for all whose bodies may be within the longest sensor range; in an order that
+  /// depends on their places alone.
   template <class Visitor>
   void for_near(glm::dvec2 position_m, Visitor visit) const {
     const PlanCell here = plan_cell(position_m, cell_m_);
@@ -147,21 +155,26 @@ class Crowd::Neighbours {
 
 Crowd::Crowd(const Gait& gait) : obstacles_({}, 1.0), gait_(gait) {}
 
-Crowd::Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacles, Gait gait, std::uint64_t seed)
+Crowd::Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacles, Gait gait,
+             std::uint64_t seed)
     : obstacles_(std::move(obstacles), reach_of(groups)),
       gait_(gait),
-      seed_(Kernels{}.hash_u32(static_cast<std::uint32_t>(seed) ^ Kernels{}.hash_u32(static_cast<std::uint32_t>(seed >> 32)))) {
+      seed_(Kernels{}.hash_u32(static_cast<std::uint32_t>(seed) ^
+                               Kernels{}.hash_u32(static_cast<std::uint32_t>(seed >> 32)))) {
   constexpr double kCellM = 2.0;  // at least as wide as two bodies
   std::unordered_map<std::int64_t, std::vector<std::uint32_t>> placed;
   std::size_t total = 0;
   for (const WalkerGroup& group : groups) total += group.count;
-  if (total > kMostWalkers) throw BadInput("", "count", fmt::format("{} walkers", total), fmt::format("at most {} in all", kMostWalkers));
+  if (total > kMostWalkers)
+    throw BadInput("", "count", fmt::format("{} walkers", total),
+                   fmt::format("at most {} in all", kMostWalkers));
 
   // What is in the way of a body, if anything.
   const auto obstruction = [&](const Disc& body, double apart_m) -> const char* {
     for (const std::uint32_t n : obstacles_.near(body.centre_m)) {
       if (is_beyond(obstacles_.box(n), body.centre_m, body.radius_m + apart_m)) continue;
-      if (plan_distance(body, obstacles_.footprints()[n]).distance_m < apart_m) return "inside of an obstacle or beyond a wall";
+      if (plan_distance(body, obstacles_.footprints()[n]).distance_m < apart_m)
+        return "inside of an obstacle or beyond a wall";
     }
     const PlanCell here = plan_cell(body.centre_m, kCellM);
     for (int j = here.j - 1; j <= here.j + 1; ++j) {
@@ -183,7 +196,9 @@ Crowd::Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacl
     groups_.push_back({group.goals});
     for (std::uint32_t n = 0; n < group.count; ++n) {
       const auto id = static_cast<std::uint32_t>(walkers_.size());
-      const auto spread = [](double unit_share, double most) { return 1.0 + most * (2.0 * unit_share - 1.0); };
+      const auto spread = [](double unit_share, double most) {
+        return 1.0 + most * (2.0 * unit_share - 1.0);
+      };
       const std::array<double, 3> own = units(seed_, id, Purpose::kTraits, 0);
       WalkerTraits traits;
       traits.group = static_cast<std::uint32_t>(g);
@@ -200,14 +215,18 @@ Crowd::Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacl
       if (!group.starts_m.empty()) {
         walker.position_m = group.starts_m[n];
         if (const char* fault = obstruction({walker.position_m, traits.radius_m}, 0.0); fault != nullptr) {
-          throw BadInput("", "starts_m", fmt::format("walker {} {} ([{}, {}])", n, fault, walker.position_m.x, walker.position_m.y),
-                         "a free place");
+          throw BadInput(
+              "", "starts_m",
+              fmt::format("walker {} {} ([{}, {}])", n, fault, walker.position_m.x, walker.position_m.y),
+              "a free place");
         }
       } else {
         bool has_room = false;
         for (int attempt = 0; attempt < kMostTries && !has_room; ++attempt) {
-          const std::array<double, 3> dart = units(seed_, id, Purpose::kStart, static_cast<std::uint32_t>(attempt));
-          walker.position_m = group.centre_m + group.radius_m * std::sqrt(dart[0]) * direction_of(6.283185307179586 * dart[1]);
+          const std::array<double, 3> dart =
+              units(seed_, id, Purpose::kStart, static_cast<std::uint32_t>(attempt));
+          walker.position_m = group.centre_m +
+                              group.radius_m * std::sqrt(dart[0]) * direction_of(6.283185307179586 * dart[1]);
           has_room = obstruction({walker.position_m, traits.radius_m}, kApartM) == nullptr;
         }
         if (!has_room) {
@@ -225,7 +244,8 @@ Crowd::Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacl
   steered_.resize(walkers_.size());
 }
 
-Percept Crowd::perceived(std::size_t index, const Neighbours& neighbours, std::span<const Footprint> movers) const {
+Percept Crowd::perceived(std::size_t index, const Neighbours& neighbours,
+                         std::span<const Footprint> movers) const {
   const WalkerTraits& traits = traits_[index];
   const Disc body{walkers_[index].position_m, traits.radius_m};
   Percept nearest{Percept::Kind::kNothing, traits.sensor_m, walkers_[index].forward};
@@ -268,14 +288,15 @@ MotorCommand Crowd::decided(std::size_t index, const Percept& nearest, double ti
   sight.goals = groups_[traits.group].goals;
   MotorCommand command = traits.behaviour->decide(sight, memory);
   const double sigma = noise_deviation(traits.noise, nearest.distance_m, traits.sensor_m);
-  command.speed_m_per_s *= std::max(1.0 + sigma * noise_at(seed_, traits.id, Purpose::kSpeedNoise, time_s), 0.0);
+  command.speed_m_per_s *=
+      std::max(1.0 + sigma * noise_at(seed_, traits.id, Purpose::kSpeedNoise, time_s), 0.0);
   const double aside = sigma * noise_at(seed_, traits.id, Purpose::kHeadingNoise, time_s);
   command.heading = unit(command.heading + aside * left_of(command.heading), command.heading);
   return command;
 }
 
-Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const CrowdSurroundings& around, double time_s,
-                    double dt_s) const {
+Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const CrowdSurroundings& around,
+                    double time_s, double dt_s) const {
   const WalkerTraits& traits = traits_[index];
   Walker walker = walkers_[index];
   const Disc body{walker.position_m, traits.radius_m};
@@ -288,8 +309,10 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
   const double grade = glm::dot(slope, walker.forward);
   const double effort = around.effort ? around.effort(walker.position_m) : 1.0;
   const double facing = 0.5 + 0.5 * glm::dot(walker.forward, command.heading);
-  const double wanted = std::min(command.speed_m_per_s * facing * share_on_slope(grade) / effort, kFastestM_per_s);
-  walker.speed_m_per_s += std::clamp(wanted - walker.speed_m_per_s, -kSlowerM_per_s2 * dt_s, kFasterM_per_s2 * dt_s);
+  const double wanted =
+      std::min(command.speed_m_per_s * facing * share_on_slope(grade) / effort, kFastestM_per_s);
+  walker.speed_m_per_s +=
+      std::clamp(wanted - walker.speed_m_per_s, -kSlowerM_per_s2 * dt_s, kFasterM_per_s2 * dt_s);
 
   // A step never exceeds the free distance.
   std::array<StepLimit, kMostLimits> limits;
@@ -301,8 +324,9 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
       limits[count++] = {toward, room_m};
       return;
     }
-    const auto farthest = std::max_element(limits.begin(), limits.begin() + kMostFirmLimits,
-                                           [](const StepLimit& a, const StepLimit& b) { return a.room_m < b.room_m; });
+    const auto farthest =
+        std::max_element(limits.begin(), limits.begin() + kMostFirmLimits,
+                         [](const StepLimit& a, const StepLimit& b) { return a.room_m < b.room_m; });
     if (farthest->room_m > room_m) *farthest = {toward, room_m};
   };
   if (nearest.distance_m < reach_m) {
@@ -327,28 +351,33 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
   const glm::dvec2 wanted_m = walker.speed_m_per_s * dt_s * walker.forward;
   const std::span<const StepLimit> all(limits.data(), count);
   glm::dvec2 step_m = free_step(wanted_m, all);
-  const bool is_pinned = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(firm), [&](const StepLimit& one) {
-    return glm::dot(one.toward, step_m) > std::max(one.room_m, 0.0) + kSkinM;
-  });
+  const bool is_pinned =
+      std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(firm), [&](const StepLimit& one) {
+        return glm::dot(one.toward, step_m) > std::max(one.room_m, 0.0) + kSkinM;
+      });
   if (is_pinned) step_m = free_step(wanted_m, all.first(firm));  // sooner under a mover than inside of a wall
 
   walker.position_m += step_m;
   const double speed = glm::length(step_m) / dt_s;
   walker.speed_m_per_s = std::min(walker.speed_m_per_s, speed);
   if (walker.speed_m_per_s < kStandsBelow) walker.speed_m_per_s = 0.0;
-  advance(walker.footing, gait_, {walker.position_m, walker.forward, std::min(speed, kFastestM_per_s), grade}, dt_s);
+  advance(walker.footing, gait_, {walker.position_m, walker.forward, std::min(speed, kFastestM_per_s), grade},
+          dt_s);
   return walker;
 }
 
-std::vector<TreadStep> Crowd::step(const CrowdSurroundings& around, double time_s, double dt_s, std::uint32_t first_id) {
+std::vector<TreadStep> Crowd::step(const CrowdSurroundings& around, double time_s, double dt_s,
+                                   std::uint32_t first_id) {
   assert(dt_s > 0.0 && dt_s <= 0.1);
   std::vector<TreadStep> treads;
   if (walkers_.empty()) return treads;
   const Neighbours neighbours(walkers_, traits_);
   std::vector<Walker> after(walkers_.size());
-  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, walkers_.size(), 32), [&](const auto& range) {
-    for (std::size_t n = range.begin(); n != range.end(); ++n) after[n] = moved(n, neighbours, around, time_s, dt_s);
-  });
+  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, walkers_.size(), 32),
+                            [&](const auto& range) {
+                              for (std::size_t n = range.begin(); n != range.end(); ++n)
+                                after[n] = moved(n, neighbours, around, time_s, dt_s);
+                            });
   for (std::uint32_t n = 0; n < after.size(); ++n)
     add_foot_treads(walkers_[n].footing, after[n].footing, first_id + n * kTreadIdsPerWalker, treads);
   walkers_ = std::move(after);
@@ -371,7 +400,9 @@ void Crowd::restore(std::vector<Walker> walkers) {
   if (walkers.size() != walkers_.size())
     refuse(fmt::format("{} walkers", walkers.size()), fmt::format("{}, the scene's", walkers_.size()));
   constexpr double kFarthestM = 1e7;
-  const auto is_place = [](glm::dvec2 p) { return std::abs(p.x) <= kFarthestM && std::abs(p.y) <= kFarthestM; };
+  const auto is_place = [](glm::dvec2 p) {
+    return std::abs(p.x) <= kFarthestM && std::abs(p.y) <= kFarthestM;
+  };
   const auto is_unit = [](glm::dvec2 v) { return std::abs(glm::dot(v, v) - 1.0) < 1e-6; };
   for (std::size_t n = 0; n < walkers.size(); ++n) {
     const Walker& walker = walkers[n];
@@ -381,8 +412,10 @@ void Crowd::restore(std::vector<Walker> walkers) {
     is_good = is_good && walker.footing.scale == walkers_[n].footing.scale;
     const Memory& memory = walker.memory;
     const auto goals = static_cast<std::int32_t>(groups_[traits_[n].group].goals.size());
-    is_good = is_good && memory.turn >= -1 && memory.turn <= 1 && memory.goal >= 0 && memory.goal <= std::max(goals - 1, 0);
-    if (!is_good) refuse(fmt::format("walker {} with numbers out of range", n), "places, unit vectors and shares");
+    is_good = is_good && memory.turn >= -1 && memory.turn <= 1 && memory.goal >= 0 &&
+              memory.goal <= std::max(goals - 1, 0);
+    if (!is_good)
+      refuse(fmt::format("walker {} with numbers out of range", n), "places, unit vectors and shares");
   }
   walkers_ = std::move(walkers);
 }

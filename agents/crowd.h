@@ -1,11 +1,13 @@
-// Walkers that see, avoid one another and walk (G03 §5): perception (d, θ), behaviour (d, θ) → (v, φ), motion, gait.
+// Walkers that see, avoid one another and walk (G03 §5): perception (d, θ), behaviour (d, θ) → (v, φ),
+// motion, gait.
 //
-// Nobody walks through anything: whatever a behaviour wants, a step is cut so that it stays on its side of the line midway to
-// each near walker, and in front of the line at right angles to the shortest way to each near obstacle. As all shapes are
-// convex, neither lets two of them touch. Only a mover, which yields to nobody, pushes walkers out of its way.
+// Nobody walks through anything: whatever a behaviour wants, a step is cut so that it stays on its side of
+// the line midway to each near walker, and in front of the line at right angles to the shortest way to each
+// near obstacle. As all shapes are convex, neither lets two of them touch. Only a mover, which yields to
+// nobody, pushes walkers out of its way.
 //
-// Deterministic: a step reads the walkers as they were and writes each anew, whatever the number of threads; noise is a
-// function of seed, walker and time.
+// Deterministic: a step reads the walkers as they were and writes each anew, whatever the number of threads;
+// noise is a function of seed, walker and time.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +32,13 @@ namespace prairie {
 /// What does not change of a walker.
 struct WalkerTraits {
   std::uint32_t group = 0;
-  std::uint32_t id = 0;          // counted through all groups
+  std::uint32_t id = 0;  // counted through all groups
   double height_m = 1.75;
-  double radius_m = 0.25;        // of its body's disc
-  double speed_m_per_s = 1.3;    // canonical
+  double radius_m = 0.25;      // of its body's disc
+  double speed_m_per_s = 1.3;  // canonical
   double sensor_m = 4.0;
   double noise = 0.12;
-  glm::dvec2 home_m{0.0};        // where it started
+  glm::dvec2 home_m{0.0};  // where it started
   const Behaviour* behaviour = nullptr;
 };
 
@@ -55,7 +57,8 @@ struct Walker {
 struct CrowdSurroundings {
   const HeightField& ground;
   std::span<const Footprint> movers;  // at the end of the step; they yield to nobody
-  /// How many times as dear as on bare ground a step through the vegetation there is, ≥ 1; empty: 1 everywhere.
+  /// How many times as dear as on bare ground a step through the vegetation there is, ≥ 1; empty: 1
+  /// everywhere.
   std::function<double(glm::dvec2)> effort;
 };
 
@@ -63,8 +66,8 @@ class Crowd {
  public:
   /// Nobody.
   explicit Crowd(const Gait& gait);
-  /// Strews the walkers over free ground. Throws BadInput, the group and field in it, on groups out of range, places inside
-  /// of obstacles or of one another, or where there is no room.
+  /// Strews the walkers over free ground. Throws BadInput, the group and field in it, on groups out of range,
+  /// places inside of obstacles or of one another, or where there is no room.
   Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacles, Gait gait, std::uint64_t seed);
 
   std::span<const Walker> walkers() const { return walkers_; }
@@ -75,8 +78,10 @@ class Crowd {
   /// What each walker perceives now; `movers` as they are.
   std::vector<Percept> percepts(std::span<const Footprint> movers) const;
 
-  /// Moves everybody on from `time_s` by 0 < dt_s ≤ 0.1. Returns what the feet do to the grass, ids from `first_id` on.
-  std::vector<TreadStep> step(const CrowdSurroundings& around, double time_s, double dt_s, std::uint32_t first_id);
+  /// Moves everybody on from `time_s` by 0 < dt_s ≤ 0.1. Returns what the feet do to the grass, ids from
+  /// `first_id` on.
+  std::vector<TreadStep> step(const CrowdSurroundings& around, double time_s, double dt_s,
+                              std::uint32_t first_id);
 
   /// From now on this walker obeys the command, as far as nothing is in its way; no part of the state.
   void steer(std::size_t walker, const MotorCommand& command);
@@ -95,8 +100,8 @@ class Crowd {
 
   Percept perceived(std::size_t index, const Neighbours& neighbours, std::span<const Footprint> movers) const;
   MotorCommand decided(std::size_t index, const Percept& nearest, double time_s, Memory& memory) const;
-  Walker moved(std::size_t index, const Neighbours& neighbours, const CrowdSurroundings& around, double time_s,
-               double dt_s) const;
+  Walker moved(std::size_t index, const Neighbours& neighbours, const CrowdSurroundings& around,
+               double time_s, double dt_s) const;
 
   std::vector<Group> groups_;
   std::vector<WalkerTraits> traits_;

@@ -26,11 +26,13 @@ void check(const WalkerGroup& group) {
   const Behaviour* behaviour = find_behaviour(group.behaviour);
   if (behaviour == nullptr) {
     std::string known;
-    for (const Behaviour& one : behaviours()) known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
+    for (const Behaviour& one : behaviours())
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
     throw BadInput("", "behaviour", group.behaviour, "one of " + known);
   }
   if (behaviour->needs_goals && group.goals.empty())
-    throw BadInput("", "goals", "none", fmt::format("at least one, for the behaviour \"{}\"", group.behaviour));
+    throw BadInput("", "goals", "none",
+                   fmt::format("at least one, for the behaviour \"{}\"", group.behaviour));
   check_count("goals", group.goals.size(), kMostGoals);
   for (const Goal& goal : group.goals) {
     check_place("goals.position_m", goal.position_m);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPullMPerS2 = 2.5;
 constexpr double kBrakeMPerS2 = 5.0;
-constexpr double kRollingMPerS2 = 1.2;  // what slows it when nothing pulls
+constexpr double kRollingMPerS2 = 1.2;    // what slows it when nothing pulls
 constexpr double kLeastPullMPerS2 = 0.3;  // it creeps up any slope rather than being stuck on it
 constexpr double kGravityMPerS2 = 9.81;
 constexpr double kMostTurnedRad = 0.6;
@@ -40,7 +40,8 @@ double next_speed(const DrivenCart& cart, double drive, double climb, double dt_
   if (drive == 0.0) return towards(speed, 0.0, kRollingMPerS2 * dt_s);
   if (drive * speed < 0.0) return towards(speed, 0.0, kBrakeMPerS2 * std::abs(drive) * dt_s);
   const double ahead = drive > 0.0 ? 1.0 : -1.0;
-  const double gain = std::max(kPullMPerS2 * std::abs(drive) - kGravityMPerS2 * ahead * climb, kLeastPullMPerS2);
+  const double gain =
+      std::max(kPullMPerS2 * std::abs(drive) - kGravityMPerS2 * ahead * climb, kLeastPullMPerS2);
   return std::clamp(speed + ahead * gain * dt_s, -kMostCartBackingMPerS, kMostCartSpeedMPerS);
 }
 
@@ -49,7 +50,8 @@ double most_turned_rad(double speed_m_per_s, double wheelbase_m) {
   return std::min(kMostTurnedRad, std::atan(kMostSidewaysMPerS2 * wheelbase_m / square));
 }
 
-/// Where the middle between the axles comes from (0, 0) and a heading of 0, by a way of the hind axle along an arc.
+/// Where the middle between the axles comes from (0, 0) and a heading of 0, by a way of the hind axle along
+/// an arc.
 glm::dvec2 middle_along_arc(double way_m, double turn_rad, double half_base_m) {
   // sin x / x and (1 − cos x) / x, near 0 by their series.
   const double x = turn_rad;
@@ -69,7 +71,8 @@ DrivenCart driven_on(DrivenCart cart, const CartControls& controls, double dt_s,
   const double before = cart.speed_m_per_s;
   cart.speed_m_per_s = next_speed(cart, wanted(controls.drive), climb(cart, forward, ground), dt_s);
   const double most_rad = most_turned_rad(cart.speed_m_per_s, wheelbase_m);
-  const double turned_rad = towards(cart.turned_rad, wanted(controls.steer) * most_rad, kTurningRadPerS * dt_s);
+  const double turned_rad =
+      towards(cart.turned_rad, wanted(controls.steer) * most_rad, kTurningRadPerS * dt_s);
   cart.turned_rad = std::clamp(turned_rad, -most_rad, most_rad);
 
   const double way_m = 0.5 * (before + cart.speed_m_per_s) * dt_s;

@@ -1,5 +1,5 @@
-// A cart that a person drives: a bicycle model without slip. The hind axle's middle goes where the cart points; with
-// wheelbase L and the front wheels turned by δ the heading changes by tan δ / L per metre:
+// A cart that a person drives: a bicycle model without slip. The hind axle's middle goes where the cart
+// points; with wheelbase L and the front wheels turned by δ the heading changes by tan δ / L per metre:
 //
 //   dθ/ds = tan δ / L,   exactly along an arc over a step
 //
@@ -20,20 +20,20 @@ struct CartControls {
 };
 
 struct DrivenCart {
-  double half_width_m = 0.6;      // 0.05…3
-  glm::dvec2 position_m{0.0};     // between the wheels; at most 10⁶ m from the origin along an axis
-  double heading_rad = 0.0;       // from east, counter-clockwise
-  double speed_m_per_s = 0.0;     // −1…5, seen from above
-  double turned_rad = 0.0;        // of the front wheels, to the left
-  double rolled_m = 0.0;          // for the look of its wheels
+  double half_width_m = 0.6;   // 0.05…3
+  glm::dvec2 position_m{0.0};  // between the wheels; at most 10⁶ m from the origin along an axis
+  double heading_rad = 0.0;    // from east, counter-clockwise
+  double speed_m_per_s = 0.0;  // −1…5, seen from above
+  double turned_rad = 0.0;     // of the front wheels, to the left
+  double rolled_m = 0.0;       // for the look of its wheels
 };
 
 inline constexpr double kMostCartSpeedMPerS = 5.0;
 inline constexpr double kMostCartBackingMPerS = 1.0;
 inline constexpr double kLongestCartStepS = 0.1;
 
-/// The cart `dt_s` later, at most kLongestCartStepS; as it is where dt_s is not above zero. Uphill it gains speed more slowly
-/// and downhill faster; without a pull it comes to rest, on any slope.
+/// The cart `dt_s` later, at most kLongestCartStepS; as it is where dt_s is not above zero. Uphill it gains
+/// speed more slowly and downhill faster; without a pull it comes to rest, on any slope.
 DrivenCart driven_on(DrivenCart cart, const CartControls& controls, double dt_s, const HeightField& ground);
 
 MoverPlace place_of(const DrivenCart& cart, const HeightField& ground);

@@ -5,7 +5,8 @@
 
 namespace prairie {
 
-/// Plain data. Who sets `place` leaves `before` alone, unless the thing is put down somewhere else: then both are that place.
+/// Plain data. Who sets `place` leaves `before` alone, unless the thing is put down somewhere else: then both
+/// are that place.
 struct DrivenMover {
   MoverKind kind = MoverKind::kStone;
   double radius_m = 0.4;  // of the stone; half the width of the cart; 0.05…3

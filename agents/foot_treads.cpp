@@ -18,7 +18,8 @@ double rolled(double stance_share) {
 
 }  // namespace
 
-void add_foot_treads(const Footing& before, const Footing& after, std::uint32_t first_id, std::vector<TreadStep>& steps) {
+void add_foot_treads(const Footing& before, const Footing& after, std::uint32_t first_id,
+                     std::vector<TreadStep>& steps) {
   for (std::uint32_t n = 0; n < kTreadIdsPerWalker; ++n) {
     const Foot& was = before.feet[n];
     const Foot& is = after.feet[n];

@@ -39,7 +39,8 @@ Footprint footprint_of(MoverKind kind, double radius_m, const MoverPlace& place)
   const glm::dvec2 ahead = kCartHalfSize.x * radius_m * glm::dvec2(place.axes[0]);
   const glm::dvec2 aside = kCartHalfSize.y * radius_m * glm::dvec2(place.axes[1]);
   const glm::dvec2 centre_m(place.centre_m);
-  return Outline{{centre_m - ahead - aside, centre_m + ahead - aside, centre_m + ahead + aside, centre_m - ahead + aside}};
+  return Outline{{centre_m - ahead - aside, centre_m + ahead - aside, centre_m + ahead + aside,
+                  centre_m - ahead + aside}};
 }
 
 }  // namespace prairie

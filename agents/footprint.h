@@ -1,5 +1,6 @@
-// What a thing takes up of the ground as seen from above: walkers stay on it, so that they see and avoid one another and all
-// else in the plan (G03 §5.1). Deviation: G03 takes bounding boxes in space; on ground that nobody leaves they come to this.
+// What a thing takes up of the ground as seen from above: walkers stay on it, so that they see and avoid one
+// another and all else in the plan (G03 §5.1). Deviation: G03 takes bounding boxes in space; on ground that
+// nobody leaves they come to this.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -30,7 +31,7 @@ FootprintBox box_of(const Footprint& footprint);
 
 /// From a disc to what is nearest of a footprint, by GJK (agents/gjk.h).
 struct PlanDistance {
-  double distance_m = 0.0;        // between the edges; negative where they overlap: the shortest way out
+  double distance_m = 0.0;      // between the edges; negative where they overlap: the shortest way out
   glm::dvec2 toward{1.0, 0.0};  // unit, from the disc to the footprint
 };
 PlanDistance plan_distance(const Disc& from, const Footprint& to);

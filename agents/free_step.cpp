@@ -13,7 +13,8 @@ constexpr double kRounding = 1e-12;  // metres
 /// By how much the worst of the limits is broken.
 double excess_m(glm::dvec2 step_m, std::span<const StepLimit> limits) {
   double worst_m = 0.0;
-  for (const StepLimit& limit : limits) worst_m = std::max(worst_m, glm::dot(limit.toward, step_m) - limit.room_m);
+  for (const StepLimit& limit : limits)
+    worst_m = std::max(worst_m, glm::dot(limit.toward, step_m) - limit.room_m);
   return worst_m;
 }
 
@@ -24,7 +25,8 @@ glm::dvec2 free_step(glm::dvec2 wanted_m, std::span<const StepLimit> limits) {
   if (excess_m(wanted_m, limits) <= kRounding) return wanted_m;
   glm::dvec2 best_m(0.0);
   double least_excess_m = excess_m(best_m, limits);
-  double least_way = least_excess_m <= kRounding ? glm::length(wanted_m) : std::numeric_limits<double>::infinity();
+  double least_way =
+      least_excess_m <= kRounding ? glm::length(wanted_m) : std::numeric_limits<double>::infinity();
   const auto consider = [&](glm::dvec2 step_m) {
     const double over_m = excess_m(step_m, limits), way = glm::length(step_m - wanted_m);
     const bool is_allowed = over_m <= kRounding, was_allowed = least_excess_m <= kRounding;
@@ -44,7 +46,8 @@ glm::dvec2 free_step(glm::dvec2 wanted_m, std::span<const StepLimit> limits) {
                                 second.room_m * first.toward.x - first.room_m * second.toward.x);
       // A corner of nearly parallel lines lies far away.
       const glm::dvec2 at_m = corner_m / across;
-      if (glm::length(at_m) <= 2.0 * glm::length(wanted_m) + std::abs(first.room_m) + std::abs(second.room_m)) consider(at_m);
+      if (glm::length(at_m) <= 2.0 * glm::length(wanted_m) + std::abs(first.room_m) + std::abs(second.room_m))
+        consider(at_m);
     }
   }
   return best_m;

@@ -91,8 +91,8 @@ MoverPlace Mover::place(const HeightField& ground, double time_s) const {
   return cart_place(ground, path_.radius_m, at.position_m, at.forward);
 }
 
-// Rolled about the axis to the left, on the ground's slope, without slipping along a level way; being seen from above, the
-// way up a slope is a little shorter than what the stone rolls over.
+// Rolled about the axis to the left, on the ground's slope, without slipping along a level way; being seen
+// from above, the way up a slope is a little shorter than what the stone rolls over.
 MoverPlace stone_place(const HeightField& ground, double radius_m, glm::dvec2 contact_m, glm::dvec2 forward,
                        double rolled_m) {
   const glm::dmat3 rest = axes_on(glm::dvec2(ground.slope(contact_m)), forward);
@@ -107,7 +107,8 @@ MoverPlace stone_place(const HeightField& ground, double radius_m, glm::dvec2 co
 }
 
 // On the plane that fits best the ground below its four wheels.
-MoverPlace cart_place(const HeightField& ground, double half_width_m, glm::dvec2 contact_m, glm::dvec2 forward) {
+MoverPlace cart_place(const HeightField& ground, double half_width_m, glm::dvec2 contact_m,
+                      glm::dvec2 forward) {
   const glm::dvec2 wheel_m = half_width_m * kWheelPlace;
   const glm::dvec2 left = left_of(forward);
   double mean_m = 0.0, rise = 0.0, roll = 0.0;  // along the way and to its left, per metre
@@ -135,8 +136,8 @@ std::vector<Solid> solids_of(MoverKind kind, double radius_m, const MoverPlace& 
   return solids;
 }
 
-std::vector<TreadStep> tread_steps(MoverKind kind, double radius_m, const MoverPlace& from, const MoverPlace& to,
-                                   std::uint32_t first_id) {
+std::vector<TreadStep> tread_steps(MoverKind kind, double radius_m, const MoverPlace& from,
+                                   const MoverPlace& to, std::uint32_t first_id) {
   if (kind == MoverKind::kStone) {
     const double tread_m = std::clamp(kStonesContact * radius_m, kLeastTreadM, kMostTreadM);
     return {{first_id, from.contact_m, to.contact_m, tread_m, kStonesWeight}};

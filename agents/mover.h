@@ -56,7 +56,8 @@ class Mover {
 /// A stone that has rolled so far without slipping; a cart on its wheels. `forward` is a unit vector.
 MoverPlace stone_place(const HeightField& ground, double radius_m, glm::dvec2 contact_m, glm::dvec2 forward,
                        double rolled_m);
-MoverPlace cart_place(const HeightField& ground, double half_width_m, glm::dvec2 contact_m, glm::dvec2 forward);
+MoverPlace cart_place(const HeightField& ground, double half_width_m, glm::dvec2 contact_m,
+                      glm::dvec2 forward);
 
 /// From the hind axle to the front one.
 double cart_wheelbase_m(double half_width_m);
@@ -66,8 +67,8 @@ std::vector<Solid> solids_of(MoverKind kind, double radius_m, const MoverPlace& 
 
 /// Its steps from one place to the next, ids from `first_id` on: one for a stone, one for each wheel of a
 /// cart. Both always touch the ground; what stands makes steps without a way.
-std::vector<TreadStep> tread_steps(MoverKind kind, double radius_m, const MoverPlace& from, const MoverPlace& to,
-                                   std::uint32_t first_id);
+std::vector<TreadStep> tread_steps(MoverKind kind, double radius_m, const MoverPlace& from,
+                                   const MoverPlace& to, std::uint32_t first_id);
 inline constexpr std::uint32_t kTreadIdsPerMover = 4;
 
 }  // namespace prairie

@@ -55,7 +55,8 @@ glm::dmat3 upright(double heading_rad) {
 
 std::array<glm::dvec2, 4> corners_of(const Block& block) {
   const glm::dmat3 axes = upright(block.heading_rad);
-  const glm::dvec2 ahead = 0.5 * block.size_m.x * glm::dvec2(axes[0]), across = 0.5 * block.size_m.y * glm::dvec2(axes[1]);
+  const glm::dvec2 ahead = 0.5 * block.size_m.x * glm::dvec2(axes[0]),
+                   across = 0.5 * block.size_m.y * glm::dvec2(axes[1]);
   const glm::dvec2 p = block.position_m;
   return {p - ahead - across, p + ahead - across, p + ahead + across, p - ahead + across};
 }
@@ -75,17 +76,20 @@ PlacedBlock placed(const Block& block, const HeightField& ground) {
   double lowest_m = static_cast<double>(ground.height_m(block.position_m));
   for (const glm::dvec2 corner_m : corners_of(block))
     lowest_m = std::min(lowest_m, static_cast<double>(ground.height_m(corner_m)));
-  return {glm::dvec3(block.position_m, lowest_m + 0.5 * block.size_m.z), upright(block.heading_rad), 0.5 * block.size_m};
+  return {glm::dvec3(block.position_m, lowest_m + 0.5 * block.size_m.z), upright(block.heading_rad),
+          0.5 * block.size_m};
 }
 
-// Directions by the golden angle, so that no side is bare; radii vary, which makes edges and faces of all sizes.
+// Directions by the golden angle, so that no side is bare; radii vary, which makes edges and faces of all
+// sizes.
 ConvexHull hull_of(const Rock& rock) {
   std::vector<glm::dvec3> points_m;
   for (std::uint32_t n = 0; n < kRockPoints; ++n) {
     const glm::uvec3 words = Kernels{}.hash_uvec3(glm::uvec3(rock.seed, n, 0x726f636bu));
     const double z = 1.0 - 2.0 * (n + 0.5) / kRockPoints;
     const double across = std::sqrt(1.0 - z * z);
-    const glm::dvec2 around = direction_of(2.399963229728653 * n + 0.6 * static_cast<double>(Kernels{}.unit_from_u32(words.x)));
+    const glm::dvec2 around =
+        direction_of(2.399963229728653 * n + 0.6 * static_cast<double>(Kernels{}.unit_from_u32(words.x)));
     const double out = 0.72 + 0.28 * static_cast<double>(Kernels{}.unit_from_u32(words.y));
     const glm::dvec3 unit(across * around.x, across * around.y, z);
     points_m.push_back(0.5 * out * rock.size_m * unit + glm::dvec3(0.0, 0.0, (0.5 - kSunk) * rock.size_m.z));
@@ -94,7 +98,8 @@ ConvexHull hull_of(const Rock& rock) {
 }
 
 RockFrame placed(const Rock& rock, const HeightField& ground) {
-  return {glm::dvec3(rock.position_m, static_cast<double>(ground.height_m(rock.position_m))), upright(rock.heading_rad)};
+  return {glm::dvec3(rock.position_m, static_cast<double>(ground.height_m(rock.position_m))),
+          upright(rock.heading_rad)};
 }
 
 Footprint footprint_of(const Obstacle& obstacle, const HeightField& ground) {
@@ -114,7 +119,8 @@ Footprint footprint_of(const Obstacle& obstacle, const HeightField& ground) {
 std::vector<Footprint> footprints_of(const Wall& wall) {
   std::vector<Footprint> footprints;
   const auto add = [&](const WallPolygon& solid) {
-    for (std::vector<glm::dvec2>& piece_m : convex_pieces(solid)) footprints.push_back(Outline{std::move(piece_m)});
+    for (std::vector<glm::dvec2>& piece_m : convex_pieces(solid))
+      footprints.push_back(Outline{std::move(piece_m)});
   };
   if (wall.walkers == WallSide::kOutside) {
     add(wall.outline);
@@ -132,7 +138,8 @@ std::vector<Footprint> footprints_of(const StandingThings& things, const HeightF
   for (const Obstacle& obstacle : things.obstacles) footprints.push_back(footprint_of(obstacle, ground));
   for (const Wall& wall : things.walls) {
     std::vector<Footprint> pieces = footprints_of(wall);
-    footprints.insert(footprints.end(), std::make_move_iterator(pieces.begin()), std::make_move_iterator(pieces.end()));
+    footprints.insert(footprints.end(), std::make_move_iterator(pieces.begin()),
+                      std::make_move_iterator(pieces.end()));
   }
   return footprints;
 }

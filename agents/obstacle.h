@@ -1,5 +1,5 @@
-// What stands in a meadow and in the way of walkers (G03 §5.1): trunks, boxes, rocks, and virtual walls that keep walkers in an
-// area or out of it. What is drawn of them is what walkers see.
+// What stands in a meadow and in the way of walkers (G03 §5.1): trunks, boxes, rocks, and virtual walls that
+// keep walkers in an area or out of it. What is drawn of them is what walkers see.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,9 @@ struct Trunk {
 
 /// Upright, on the ground's lowest point below it.
 struct Block {
-  glm::dvec2 position_m{0.0};   // of its middle
-  glm::dvec3 size_m{1.0};       // ahead, across, up; 0.02…1000
-  double heading_rad = 0.0;     // from east, counter-clockwise
+  glm::dvec2 position_m{0.0};  // of its middle
+  glm::dvec3 size_m{1.0};      // ahead, across, up; 0.02…1000
+  double heading_rad = 0.0;    // from east, counter-clockwise
 };
 
 /// The convex hull of points strewn over an ellipsoid, a third of it in the ground.
@@ -43,7 +43,8 @@ using Obstacle = std::variant<Trunk, Block, Rock>;
 /// Which side of a wall's outline walkers are on.
 enum class WallSide { kInside, kOutside };
 
-/// Inside: walkers stay within the outer ring and out of the holes. Outside: the polygon itself is solid, its holes are free.
+/// Inside: walkers stay within the outer ring and out of the holes. Outside: the polygon itself is solid, its
+/// holes are free.
 struct Wall {
   WallPolygon outline;
   WallSide walkers = WallSide::kInside;
@@ -56,7 +57,8 @@ struct StandingThings {
   std::vector<Wall> walls;
 };
 
-/// Throws BadInput, the field in it, on a number that is not finite or out of range, or an outline that convex_pieces() refuses.
+/// Throws BadInput, the field in it, on a number that is not finite or out of range, or an outline that
+/// convex_pieces() refuses.
 void check(const Obstacle& obstacle);
 void check(const Wall& wall);
 
@@ -77,7 +79,8 @@ struct RockFrame {
 };
 RockFrame placed(const Rock& rock, const HeightField& ground);
 
-/// The ground that they take; of a wall all that walkers are kept out of, as far as `kWallReachM` beyond an enclosure.
+/// The ground that they take; of a wall all that walkers are kept out of, as far as `kWallReachM` beyond an
+/// enclosure.
 Footprint footprint_of(const Obstacle& obstacle, const HeightField& ground);
 std::vector<Footprint> footprints_of(const Wall& wall);
 inline constexpr double kWallReachM = 25.0;

@@ -1,5 +1,5 @@
-// What stands still in the way of walkers, ready to be asked what is near a place: a grid whose cells list the footprints in
-// their reach.
+// What stands still in the way of walkers, ready to be asked what is near a place: a grid whose cells list
+// the footprints in their reach.
 #pragma once
 
 #include <cstdint>

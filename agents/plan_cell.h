@@ -13,7 +13,8 @@ struct PlanCell {
 
 /// Of places at most 2³⁰ cells from the scene's origin.
 inline PlanCell plan_cell(glm::dvec2 position_m, double cell_m) {
-  return {static_cast<int>(std::floor(position_m.x / cell_m)), static_cast<int>(std::floor(position_m.y / cell_m))};
+  return {static_cast<int>(std::floor(position_m.x / cell_m)),
+          static_cast<int>(std::floor(position_m.y / cell_m))};
 }
 
 /// Rises by rows from south, in a row from west.

@@ -18,15 +18,20 @@ constexpr double kHeightSpread = 0.06;
 
 }  // namespace
 
-ReplayedWalkers::ReplayedWalkers(std::vector<Track> tracks, const Gait& gait, std::uint64_t seed, double time_s) : gait_(gait) {
+ReplayedWalkers::ReplayedWalkers(std::vector<Track> tracks, const Gait& gait, std::uint64_t seed,
+                                 double time_s)
+    : gait_(gait) {
   if (tracks.size() > kMostWalkers)
-    throw BadInput("", "tracks", fmt::format("{} tracks", tracks.size()), fmt::format("at most {}", kMostWalkers));
+    throw BadInput("", "tracks", fmt::format("{} tracks", tracks.size()),
+                   fmt::format("at most {}", kMostWalkers));
   Kernels kernels;
   for (Track& track : tracks) {
     WalkerTraits traits;
     traits.id = static_cast<std::uint32_t>(track.id);
-    const glm::uvec3 words = kernels.hash_uvec3(glm::uvec3(static_cast<std::uint32_t>(seed), traits.id, 0x7265706cu));
-    traits.height_m *= 1.0 + kHeightSpread * (2.0 * static_cast<double>(kernels.unit_from_u32(words.x)) - 1.0);
+    const glm::uvec3 words =
+        kernels.hash_uvec3(glm::uvec3(static_cast<std::uint32_t>(seed), traits.id, 0x7265706cu));
+    traits.height_m *=
+        1.0 + kHeightSpread * (2.0 * static_cast<double>(kernels.unit_from_u32(words.x)) - 1.0);
     tracks_.emplace_back(std::move(track));
     const TrackPlace place = tracks_.back().at(time_s);
     Walker walker;
@@ -40,7 +45,8 @@ ReplayedWalkers::ReplayedWalkers(std::vector<Track> tracks, const Gait& gait, st
   }
 }
 
-std::vector<TreadStep> ReplayedWalkers::step(const HeightField& ground, double to_s, double dt_s, std::uint32_t first_id) {
+std::vector<TreadStep> ReplayedWalkers::step(const HeightField& ground, double to_s, double dt_s,
+                                             std::uint32_t first_id) {
   std::vector<TreadStep> treads;
   for (std::size_t n = 0; n < walkers_.size(); ++n) {
     Walker& walker = walkers_[n];
@@ -57,8 +63,11 @@ std::vector<TreadStep> ReplayedWalkers::step(const HeightField& ground, double t
       continue;
     }
     const double grade = glm::dot(glm::dvec2(ground.slope(place.position_m)), place.forward);
-    advance(walker.footing, gait_, {place.position_m, place.forward, std::min(place.speed_m_per_s, kFastestGait_m_per_s), grade}, dt_s);
-    add_foot_treads(before, walker.footing, first_id + static_cast<std::uint32_t>(n) * kTreadIdsPerWalker, treads);
+    advance(walker.footing, gait_,
+            {place.position_m, place.forward, std::min(place.speed_m_per_s, kFastestGait_m_per_s), grade},
+            dt_s);
+    add_foot_treads(before, walker.footing, first_id + static_cast<std::uint32_t>(n) * kTreadIdsPerWalker,
+                    treads);
   }
   return treads;
 }
@@ -71,7 +80,8 @@ double ReplayedWalkers::last_s() const {
 
 void ReplayedWalkers::restore(std::span<const Walker> walkers, double time_s) {
   if (walkers.size() != walkers_.size())
-    throw BadInput("", "walkers", fmt::format("{} walkers", walkers.size()), fmt::format("{}, as there are tracks", walkers_.size()));
+    throw BadInput("", "walkers", fmt::format("{} walkers", walkers.size()),
+                   fmt::format("{}, as there are tracks", walkers_.size()));
   for (std::size_t n = 0; n < walkers.size(); ++n) {
     check(walkers[n].footing);
     if (walkers[n].footing.scale != walkers_[n].footing.scale)

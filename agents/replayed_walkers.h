@@ -1,5 +1,6 @@
-// Walkers that go where recorded ones went (agents/track.h) instead of deciding for themselves: each is there from its track's
-// first stamp to its last. They see and avoid nobody; their feet step, and tread the grass, as those of others.
+// Walkers that go where recorded ones went (agents/track.h) instead of deciding for themselves: each is there
+// from its track's first stamp to its last. They see and avoid nobody; their feet step, and tread the grass,
+// as those of others.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,8 @@ class ReplayedWalkers {
   /// Moves everybody on to `to_s`, dt_s later. Returns what the feet do to the grass, ids from `first_id` on.
   std::vector<TreadStep> step(const HeightField& ground, double to_s, double dt_s, std::uint32_t first_id);
 
-  /// Goes on from feet that stand as these walkers' do; throws BadInput, and changes nothing, if they cannot be these tracks'.
+  /// Goes on from feet that stand as these walkers' do; throws BadInput, and changes nothing, if they cannot
+  /// be these tracks'.
   void restore(std::span<const Walker> walkers, double time_s);
 
  private:

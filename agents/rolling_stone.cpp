@@ -14,7 +14,8 @@ RollingStone rolled_on(RollingStone stone, double dt_s) {
 
 MoverPlace place_of(const RollingStone& stone, const HeightField& ground) {
   const glm::dvec2 forward = direction_of(stone.heading_rad);
-  return stone_place(ground, stone.radius_m, stone.start_m + stone.rolled_m * forward, forward, stone.rolled_m);
+  return stone_place(ground, stone.radius_m, stone.start_m + stone.rolled_m * forward, forward,
+                     stone.rolled_m);
 }
 
 }  // namespace prairie

@@ -1,4 +1,5 @@
-// A stone that someone lets roll: straight ahead over the ground until its way ends, where it lies (G03 fig. 4).
+// A stone that someone lets roll: straight ahead over the ground until its way ends, where it lies (G03 fig.
+// 4).
 #pragma once
 
 #include <glm/vec2.hpp>

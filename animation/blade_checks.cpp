@@ -22,7 +22,8 @@ constexpr float kMostOffsetRad = 2.0f * kMostTurnRad;
 constexpr float kMostRateRadPerS = 4e6f;
 constexpr float kMostUnit = 1.001f;
 
-// Not so written as to let NaN pass. Names and texts only where they are needed: there may be millions of numbers.
+// Not so written as to let NaN pass. Names and texts only where they are needed: there may be millions of
+// numbers.
 void check_vectors(const char* field, const ChainVectors& vectors, float most) {
   for (const glm::vec3& v : {vectors.v1, vectors.v2, vectors.v3, vectors.v4}) {
     for (const float number : {v.x, v.y, v.z}) {
@@ -54,7 +55,8 @@ void check_blade(const TouchedBlade& blade) {
 
 void check_cell(const CellId& id, const Meadow& meadow) {
   const auto refuse = [&](const char* expected) {
-    throw BadInput("", "touched.cell", fmt::format("cell {} of tile {}, {}", id.cell, id.tile.i, id.tile.j), expected);
+    throw BadInput("", "touched.cell", fmt::format("cell {} of tile {}, {}", id.cell, id.tile.i, id.tile.j),
+                   expected);
   };
   if (id.cell < 0 || id.cell >= kCellsPerTile) refuse("cell 0 to 3");
   if (meadow.repeats) {
@@ -76,7 +78,8 @@ void check_state(const SwayState& state) {
 
 void check_state(const TouchedState& state, const Meadow& meadow) {
   if (state.size() > kMostCells)
-    throw BadInput("", "touched", fmt::format("{} cells", state.size()), fmt::format("at most {}", kMostCells));
+    throw BadInput("", "touched", fmt::format("{} cells", state.size()),
+                   fmt::format("at most {}", kMostCells));
   const CellId* last_cell = nullptr;
   for (const auto& [id, blades] : state) {
     if (last_cell != nullptr && !(*last_cell < id))
@@ -91,7 +94,8 @@ void check_state(const TouchedState& state, const Meadow& meadow) {
                        "each blade once, in order");
       last = &blade;
       if (blade.index >= kMostTouchable)
-        throw BadInput("", "touched.index", fmt::format("{}", blade.index), fmt::format("less than {}", kMostTouchable));
+        throw BadInput("", "touched.index", fmt::format("{}", blade.index),
+                       fmt::format("less than {}", kMostTouchable));
       check_blade(blade);
     }
   }

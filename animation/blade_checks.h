@@ -1,5 +1,5 @@
-// What swaying and touched blades accept from outside; every fault is a BadInput that names the field and what was
-// expected.
+// What swaying and touched blades accept from outside; every fault is a BadInput that names the field and
+// what was expected.
 #pragma once
 
 #include "animation/sway.h"
@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kMostTouchable = 1u << 24;
 /// Centre and motions; that there are as many as the species need is the caller's business.
 void check_state(const SwayState& state);
 
-/// All that can be told without planting: cells of the meadow and their blades each once and in order, and numbers in
-/// their ranges.
+/// All that can be told without planting: cells of the meadow and their blades each once and in order, and
+/// numbers in their ranges.
 void check_state(const TouchedState& state, const Meadow& meadow);
 
 }  // namespace prairie

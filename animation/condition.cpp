@@ -67,7 +67,8 @@ void check(const Condition& condition, const std::string& name) {
   number("start_s", condition.start_s, -1e9, 1e9);
   number("duration_s", condition.duration_s, 0.0, 1e9);
   number("fade_s", condition.fade_s, 0.0, 1e9);
-  for (int c = 0; c < 3; ++c) number("color_factor", static_cast<double>(condition.color_factor[c]), 0.0, 4.0);
+  for (int c = 0; c < 3; ++c)
+    number("color_factor", static_cast<double>(condition.color_factor[c]), 0.0, 4.0);
   number("stiffness_factor", condition.stiffness_factor, 0.1, 10.0);
 }
 

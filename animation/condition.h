@@ -1,14 +1,15 @@
-// What has come over the grass of a place: frost, drought, dew, blight. Primitives with 2D masks that change the colour
-// and the stiffness of the grass which they cover (G03 §4.1). Where they overlap these features are averaged, not
-// summed as wind is. With w_i = mask_i · strength_i, the weight of primitive i at a node, c_i and s_i its factors on
-// colour and stiffness, and 1 those of grass that nothing covers:
+// What has come over the grass of a place: frost, drought, dew, blight. Primitives with 2D masks that change
+// the colour and the stiffness of the grass which they cover (G03 §4.1). Where they overlap these features
+// are averaged, not summed as wind is. With w_i = mask_i · strength_i, the weight of primitive i at a node,
+// c_i and s_i its factors on colour and stiffness, and 1 those of grass that nothing covers:
 //
 //   colour        = (max(1 − Σ w_i, 0) · 1 + Σ w_i c_i) / max(1, Σ w_i)
 //   ln stiffness  = Σ w_i ln s_i / max(1, Σ w_i)
 //
-// so that a primitive fades into untouched grass at its border, and where several cover a node in full each has an
-// equal say. Stiffness is averaged in the logarithm: half as stiff and twice as stiff make as stiff as ever. Sums are
-// taken in the order in which the primitives are listed; another order changes nothing but rounding.
+// so that a primitive fades into untouched grass at its border, and where several cover a node in full each
+// has an equal say. Stiffness is averaged in the logarithm: half as stiff and twice as stiff make as stiff as
+// ever. Sums are taken in the order in which the primitives are listed; another order changes nothing but
+// rounding.
 //
 // All are pure functions of place and time, and cost nothing at nodes that they do not reach.
 #pragma once
@@ -75,8 +76,8 @@ struct GrassCondition {
 
 GrassCondition grass_condition(std::span<const PresentCondition> conditions, glm::dvec2 position_m);
 
-/// The features of every node of a block, row by row from south-west, as grass_condition has them. Returns at how many
-/// nodes a condition was evaluated: those in the conditions' boxes, counted for each.
+/// The features of every node of a block, row by row from south-west, as grass_condition has them. Returns at
+/// how many nodes a condition was evaluated: those in the conditions' boxes, counted for each.
 std::size_t fill_conditions(std::span<const PresentCondition> conditions, const NodeBlock& nodes,
                             std::span<GrassCondition> out);
 

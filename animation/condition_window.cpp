@@ -66,12 +66,13 @@ void ConditionWindow::fill(std::size_t index, Level& level) {
   fill_conditions(level.covered_by, nodes, values);
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
-      const GrassCondition* node = &values[static_cast<std::size_t>(kNodesPerTexel * (row * kNodeSide + column))];
+      const GrassCondition* node =
+          &values[static_cast<std::size_t>(kNodesPerTexel * (row * kNodeSide + column))];
       const auto across = [](const GrassCondition* west) {
         return 0.25f * texel_of(west[0]) + 0.5f * texel_of(west[1]) + 0.25f * texel_of(west[2]);
       };
-      level.texels[window_index(level.corner.x + column, level.corner.y + row)] =
-          condition_of(0.25f * across(node) + 0.5f * across(node + kNodeSide) + 0.25f * across(node + 2 * kNodeSide));
+      level.texels[window_index(level.corner.x + column, level.corner.y + row)] = condition_of(
+          0.25f * across(node) + 0.5f * across(node + kNodeSide) + 0.25f * across(node + 2 * kNodeSide));
     }
   }
 }
@@ -79,8 +80,8 @@ void ConditionWindow::fill(std::size_t index, Level& level) {
 void ConditionWindow::paint() {
   for (std::size_t index = 0; index < kWindowLevels; ++index) {
     const std::vector<GrassCondition>& texels = levels_[index].texels;
-    std::transform(texels.begin(), texels.end(), image_.begin() + static_cast<std::ptrdiff_t>(index * kWindowTexels),
-                   texel_of);
+    std::transform(texels.begin(), texels.end(),
+                   image_.begin() + static_cast<std::ptrdiff_t>(index * kWindowTexels), texel_of);
   }
   // From the coarsest down: each fades into the one before.
   const glm::vec4* coarser = nullptr;

@@ -1,8 +1,10 @@
-// What has come over the grass around the eye (animation/condition.h) as the texture that all tiers read: windows of
-// rising texel size (animation/eye_windows.h), one layer each: the factors on colour in rgb and on stiffness in alpha.
+// What has come over the grass around the eye (animation/condition.h) as the texture that all tiers read:
+// windows of rising texel size (animation/eye_windows.h), one layer each: the factors on colour in rgb and on
+// stiffness in alpha.
 //
-// A texel is the mean of the nodes on it, half a texel apart, those on its border shared with its neighbours. Windows
-// are evaluated only where a condition reaches them, and anew only when what covers them changes or they move.
+// A texel is the mean of the nodes on it, half a texel apart, those on its border shared with its neighbours.
+// Windows are evaluated only where a condition reaches them, and anew only when what covers them changes or
+// they move.
 #pragma once
 
 #include <array>

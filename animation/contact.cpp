@@ -19,7 +19,8 @@ constexpr double kMostTurnRad = 0.4;
 constexpr double kAllowedDepthM = 0.5e-3;
 constexpr double kLookCloserM = 20e-3;  // more than a curve can near an edge between two of its points
 constexpr double kUnseenM = 2e-3;
-constexpr double kMostStretched = 1.25;  // a segment of a curve that is sharply bent, by its share of the length
+constexpr double kMostStretched =
+    1.25;  // a segment of a curve that is sharply bent, by its share of the length
 
 glm::dquat rotation_of(glm::dvec3 vector) {
   const double angle = glm::length(vector);
@@ -81,7 +82,9 @@ double nearest_along_m(const Sphere& sphere, glm::dvec3 joint_m, glm::dvec3 t, d
 }
 
 // How far a solid reaches along a unit vector.
-double reach_m(const Sphere& sphere, glm::dvec3 n) { return glm::dot(n, sphere.centre_m) + sphere.radius_m; }
+double reach_m(const Sphere& sphere, glm::dvec3 n) {
+  return glm::dot(n, sphere.centre_m) + sphere.radius_m;
+}
 double reach_m(const Capsule& capsule, glm::dvec3 n) {
   return std::max(glm::dot(n, capsule.from_m), glm::dot(n, capsule.to_m)) + capsule.radius_m;
 }
@@ -89,23 +92,29 @@ double reach_m(const Box& box, glm::dvec3 n) {
   return glm::dot(n, box.centre_m) + glm::dot(glm::abs(n * box.axes), box.half_size_m);
 }
 
-/// Whether a plane across the outward direction of its nearer end parts a piece of curve from the solid: the curve lies within
-/// the hull of its Bézier points.
+/// Whether a plane across the outward direction of its nearer end parts a piece of curve from the solid: the
+/// curve lies within the hull of its Bézier points.
 template <typename Shape>
-bool is_parted(const Shape& solid, const Kernels::BladeCurve& piece, double base_distance_m, double tip_distance_m) {
+bool is_parted(const Shape& solid, const Kernels::BladeCurve& piece, double base_distance_m,
+               double tip_distance_m) {
   const glm::dvec3 base_m(piece.base_m), tip_m(piece.tip_m);
   const glm::dvec3 n = separation(solid, base_distance_m < tip_distance_m ? base_m : tip_m).outward;
-  const double least_m = std::min(std::min(glm::dot(n, base_m), glm::dot(n, base_m + glm::dvec3(piece.base_tangent_m) / 3.0)),
-                                  std::min(glm::dot(n, tip_m), glm::dot(n, tip_m - glm::dvec3(piece.tip_tangent_m) / 3.0)));
+  const double least_m =
+      std::min(std::min(glm::dot(n, base_m), glm::dot(n, base_m + glm::dvec3(piece.base_tangent_m) / 3.0)),
+               std::min(glm::dot(n, tip_m), glm::dot(n, tip_m - glm::dvec3(piece.tip_tangent_m) / 3.0)));
   return least_m > reach_m(solid, n);
 }
 
 /// How deep the deepest point of each segment of the drawn curve is in the solid, at least 0.
 template <typename Shape>
-std::array<double, kSegments> depths_m(const Shape& solid, const Kernels::BladeChain& chain, double length_m) {
-  const auto distance_m = [&](glm::vec3 point_m) { return separation(solid, glm::dvec3(point_m)).distance_m; };
-  const std::array<double, kSegments + 1> at_joint_m = {distance_m(chain.p0), distance_m(chain.p1), distance_m(chain.p2),
-                                                        distance_m(chain.p3), distance_m(chain.p4)};
+std::array<double, kSegments> depths_m(const Shape& solid, const Kernels::BladeChain& chain,
+                                       double length_m) {
+  const auto distance_m = [&](glm::vec3 point_m) {
+    return separation(solid, glm::dvec3(point_m)).distance_m;
+  };
+  const std::array<double, kSegments + 1> at_joint_m = {distance_m(chain.p0), distance_m(chain.p1),
+                                                        distance_m(chain.p2), distance_m(chain.p3),
+                                                        distance_m(chain.p4)};
   std::array<double, kSegments> depth{};
   const double segment_m = 0.25 * kMostStretched * length_m;
   for (int i = 0; i < kSegments; ++i) {
@@ -114,8 +123,8 @@ std::array<double, kSegments> depths_m(const Shape& solid, const Kernels::BladeC
     const Kernels::BladeCurve piece = Kernels{}.chain_piece(chain, 0.25f * static_cast<float>(i) + 0.125f);
     if (is_parted(solid, piece, at_joint_m[i], at_joint_m[i + 1])) continue;
     const auto at_m = [&](double t) {
-      return distance_m(Kernels{}.hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m,
-                                                static_cast<float>(t)));
+      return distance_m(Kernels{}.hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m,
+                                                piece.tip_tangent_m, static_cast<float>(t)));
     };
     constexpr double kSpacing = 1.0 / kPointsPerSegment;
     double nearest = 0.0, least_m = 1e30;
@@ -220,8 +229,8 @@ class BentBlade {
 };
 
 template <typename Shape>
-bool bent_out_of(const Shape& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth, glm::vec3 up,
-                 ChainMotion& motion, float least_rise) {
+bool bent_out_of(const Shape& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
+                 glm::vec3 up, ChainMotion& motion, float least_rise) {
   const double length_m = static_cast<double>(blade.height_m * growth);
   const double root_m = separation(solid, glm::dvec3(rest.base_m)).distance_m;
   if (root_m > length_m * 1.05) return false;
@@ -230,7 +239,8 @@ bool bent_out_of(const Shape& solid, const Blade& blade, const Kernels::BladeCur
   const auto deepest = [&] { return *std::max_element(depth_m.begin(), depth_m.end()); };
   if (!is_under) {
     // Most of those near a solid are clear of it.
-    depth_m = depths_m(solid, Kernels{}.turned_chain_over(blade, rest, growth, motion.turn, up, least_rise), length_m);
+    depth_m = depths_m(solid, Kernels{}.turned_chain_over(blade, rest, growth, motion.turn, up, least_rise),
+                       length_m);
     if (deepest() <= kAllowedDepthM) return false;
   }
   BentBlade<Shape> bent(solid, blade, rest, growth, glm::normalize(glm::dvec3(up)), least_rise, motion);
@@ -252,10 +262,11 @@ bool bent_out_of(const Shape& solid, const Blade& blade, const Kernels::BladeCur
 
 }  // namespace
 
-bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth, glm::vec3 up,
-              ChainMotion& motion, float least_rise) {
+bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
+              glm::vec3 up, ChainMotion& motion, float least_rise) {
   return std::visit(
-      [&](const auto& shape) { return bent_out_of(shape, blade, rest, growth, up, motion, least_rise); }, solid);
+      [&](const auto& shape) { return bent_out_of(shape, blade, rest, growth, up, motion, least_rise); },
+      solid);
 }
 
 }  // namespace prairie

@@ -10,8 +10,8 @@ namespace prairie {
 
 /// Bends a blade out of a solid; both in the same frame, in metres. `rest`, `growth`: as for
 /// Kernels::turned_chain_over, with which the blade is drawn; `up`: the ground's normal at its root, below
-/// which no segment is pressed. A blade whose root is inside the solid, or nearer to it than can be seen, lies on
-/// the ground. Returns whether the blade was touched; if so, `motion` is without velocity.
+/// which no segment is pressed. A blade whose root is inside the solid, or nearer to it than can be seen,
+/// lies on the ground. Returns whether the blade was touched; if so, `motion` is without velocity.
 bool bend_out(const Solid& solid, const Blade& blade, const Kernels::BladeCurve& rest, float growth,
               glm::vec3 up, ChainMotion& motion, float least_rise = -1.0f);
 

@@ -33,8 +33,8 @@ Between between(double position_m, double size_m) {
 }
 
 WindowBlend blend_of(const Between& column, const Between& row) {
-  return {{row.before * kSide + column.before, row.before * kSide + column.after, row.after * kSide + column.before,
-           row.after * kSide + column.after},
+  return {{row.before * kSide + column.before, row.before * kSide + column.after,
+           row.after * kSide + column.before, row.after * kSide + column.after},
           column.share,
           row.share};
 }

@@ -1,9 +1,10 @@
-// Windows around the eye that hold a field as textures: layouts::kSwayLevels of them, of side × side texels that are
-// kSwayCoarsening times as large from one to the next, finest first. Texels lie on a fixed lattice of the ground, texel
-// (i, j) covering [i, i + 1) × [j, j + 1) · window_texel_m; a window is kept as a torus, (i mod side, j mod side), row
-// by row from the south, so that a texture of it that repeats is sampled at position / (side · texel). Near its border
-// each window fades into the next coarser one and the last into its mean, so that neither grass nor the eye's steps
-// show where one ends, and a shader picks one window and needs no blend.
+// Windows around the eye that hold a field as textures: layouts::kSwayLevels of them, of side × side texels
+// that are kSwayCoarsening times as large from one to the next, finest first. Texels lie on a fixed lattice
+// of the ground, texel (i, j) covering [i, i + 1) × [j, j + 1) · window_texel_m; a window is kept as a torus,
+// (i mod side, j mod side), row by row from the south, so that a texture of it that repeats is sampled at
+// position / (side · texel). Near its border each window fades into the next coarser one and the last into
+// its mean, so that neither grass nor the eye's steps show where one ends, and a shader picks one window and
+// needs no blend.
 #pragma once
 
 #include <array>
@@ -28,17 +29,19 @@ std::size_t window_index(int i, int j);
 /// The south-western texel of the window around an eye.
 glm::ivec2 window_corner(std::size_t level, glm::dvec2 eye_m);
 
-/// Where a window of half width `half_m` begins to fade into what lies around it, and where it has; by the distance
-/// from the centre along the farther axis.
+/// Where a window of half width `half_m` begins to fade into what lies around it, and where it has; by the
+/// distance from the centre along the farther axis.
 double fade_start_m(double half_m);
 double fade_end_m(double half_m);
 
-/// Fades tori of a window into those of the next coarser one, each into that of the same place in the list, once these
-/// have been faded themselves; those of the last window, which have no coarser ones, into their means.
+/// Fades tori of a window into those of the next coarser one, each into that of the same place in the list,
+/// once these have been faded themselves; those of the last window, which have no coarser ones, into their
+/// means.
 void fade_window(std::size_t level, glm::dvec2 centre_m, std::span<glm::vec4* const> tori,
                  std::span<const glm::vec4* const> coarser);
 
-/// Where the windows hold a place: the finest one that it lies in, as field_place in shaders/pass/moving_fields.glsl.
+/// Where the windows hold a place: the finest one that it lies in, as field_place in
+/// shaders/pass/moving_fields.glsl.
 struct WindowPlace {
   std::size_t level;
   glm::dvec2 position_m;

@@ -99,9 +99,8 @@ ChainVectors InertialChains::directions(std::size_t blade) const {
 
 void InertialChains::step(float dt_s) {
   assert(dt_s > 0.0f);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks_.size(), 16), [&](const auto& range) {
-    step_blocks(range.begin(), range.end(), dt_s);
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks_.size(), 16),
+                    [&](const auto& range) { step_blocks(range.begin(), range.end(), dt_s); });
 }
 
 void InertialChains::step_blocks(std::size_t first, std::size_t end, float dt_s) {

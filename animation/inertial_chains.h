@@ -43,7 +43,8 @@ class InertialChains {
 
   /// Moves all blades on by `dt_s` > 0.
   void step(float dt_s);
-  /// The same of the blades of blocks() from `first` to before `end`; different ones may be stepped at the same time.
+  /// The same of the blades of blocks() from `first` to before `end`; different ones may be stepped at the
+  /// same time.
   void step_blocks(std::size_t first, std::size_t end, float dt_s);
 
  private:

@@ -33,7 +33,8 @@ class MeanWind {
   /// Takes the place of another wind at a time: what drifts with it goes on from where that has brought it.
   void follow(const MeanWind& before, double time_s);
 
-  /// How far the wind of the series' place has blown since time 0: ∫ velocity dt; or what it followed and then it.
+  /// How far the wind of the series' place has blown since time 0: ∫ velocity dt; or what it followed and
+  /// then it.
   glm::dvec2 drift_m(double time_s) const;
 
  private:

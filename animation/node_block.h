@@ -1,5 +1,5 @@
-// Rectangular blocks of a lattice's nodes (animation/node_field.h), for fields that are functions of place and time:
-// what covers a part of the plane only is evaluated at the nodes of its box.
+// Rectangular blocks of a lattice's nodes (animation/node_field.h), for fields that are functions of place
+// and time: what covers a part of the plane only is evaluated at the nodes of its box.
 #pragma once
 
 #include <cstddef>

@@ -90,12 +90,14 @@ class NodeField {
     });
   }
 
-  /// Calls `visit(page, nodes)` for the pages from `low` to `high`, both included, that there are; in the order of pages.
+  /// Calls `visit(page, nodes)` for the pages from `low` to `high`, both included, that there are; in the
+  /// order of pages.
   template <class Visitor>
   void for_pages(PageIndex low, PageIndex high, Visitor visit) const {
     for (int j = low.j; j <= high.j; ++j) {
       auto page = pages_.lower_bound({.j = j, .i = low.i});
-      for (; page != pages_.end() && page->first.j == j && page->first.i <= high.i; ++page) visit(page->first, page->second);
+      for (; page != pages_.end() && page->first.j == j && page->first.i <= high.i; ++page)
+        visit(page->first, page->second);
     }
   }
 

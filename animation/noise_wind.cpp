@@ -65,8 +65,8 @@ NoiseTexture make_noise_texture(std::uint32_t seed) {
 
 namespace {
 
-// Where a place lies in a texture: its texel's column and row, and how far on to the next. Without branches and calls, so that
-// it takes part in a vector stage.
+// Where a place lies in a texture: its texel's column and row, and how far on to the next. Without branches
+// and calls, so that it takes part in a vector stage.
 struct TexelPlace {
   int column, row;
   float east, north;
@@ -78,7 +78,9 @@ inline TexelPlace texel_place(glm::dvec2 at) {
   const double x = at.x * kTexelsPerCell, y = at.y * kTexelsPerCell;
   const double column = std::floor(x), row = std::floor(y);
   // The side is a power of two: masking wraps what rounding left at the side itself.
-  const auto wrapped = [](double n) { return static_cast<int>(n - kSide * std::floor(n * (1.0 / kSide))) & (kSide - 1); };
+  const auto wrapped = [](double n) {
+    return static_cast<int>(n - kSide * std::floor(n * (1.0 / kSide))) & (kSide - 1);
+  };
   return {wrapped(column), wrapped(row), static_cast<float>(x - column), static_cast<float>(y - row)};
 }
 
@@ -93,7 +95,9 @@ inline float blended(const float* values, int column, int row, float east, float
 }
 
 inline glm::dvec2 layer_place(glm::dvec2 from_drift_m, glm::dvec2 turn, double size_m) {
-  return glm::dvec2(turn.x * from_drift_m.x - turn.y * from_drift_m.y, turn.y * from_drift_m.x + turn.x * from_drift_m.y) / size_m;
+  return glm::dvec2(turn.x * from_drift_m.x - turn.y * from_drift_m.y,
+                    turn.y * from_drift_m.x + turn.x * from_drift_m.y) /
+         size_m;
 }
 
 /// The sum of the layers, which is 1 where the wind changes by its own speed, in the wind's directions.
@@ -116,13 +120,15 @@ struct PlaceBlock {
 };
 
 /// Adds a layer to the places of a row from its `first`-th on.
-PRAIRIE_VECTOR_STAGE void add_layer(const NoiseTexture& texture, const WindLayer& layer, glm::dvec2 turn, glm::dvec2 row_m,
-                                    double spacing_m, int first, glm::dvec2 drift_m, PlaceBlock& __restrict block) {
+PRAIRIE_VECTOR_STAGE void add_layer(const NoiseTexture& texture, const WindLayer& layer, glm::dvec2 turn,
+                                    glm::dvec2 row_m, double spacing_m, int first, glm::dvec2 drift_m,
+                                    PlaceBlock& __restrict block) {
   const float* values = &texture.texels.data()->x;
   const double size_m = layer.size_m;
   const float strength = layer.strength;
   for (int n = 0; n < kTogether; ++n) {
-    const TexelPlace place = texel_place(layer_place(row_m + glm::dvec2((first + n) * spacing_m, 0.0) - drift_m, turn, size_m));
+    const TexelPlace place =
+        texel_place(layer_place(row_m + glm::dvec2((first + n) * spacing_m, 0.0) - drift_m, turn, size_m));
     block.column[n] = place.column;
     block.row[n] = place.row;
     block.east[n] = place.east;
@@ -131,7 +137,8 @@ PRAIRIE_VECTOR_STAGE void add_layer(const NoiseTexture& texture, const WindLayer
   for (int n = 0; n < kTogether; ++n)
     block.x[n] += blended(values, block.column[n], block.row[n], block.east[n], block.north[n]) * strength;
   for (int n = 0; n < kTogether; ++n)
-    block.y[n] += blended(values + 1, block.column[n], block.row[n], block.east[n], block.north[n]) * strength;
+    block.y[n] +=
+        blended(values + 1, block.column[n], block.row[n], block.east[n], block.north[n]) * strength;
 }
 
 }  // namespace
@@ -151,24 +158,28 @@ NoiseWind::NoiseWind(const NoiseWindSettings& settings) : settings_(checked(sett
   textures_ = std::move(textures);
 }
 
-glm::vec2 NoiseWind::velocity_m_per_s(glm::dvec2 position_m, glm::dvec2 mean_m_per_s, glm::dvec2 drift_m) const {
+glm::vec2 NoiseWind::velocity_m_per_s(glm::dvec2 position_m, glm::dvec2 mean_m_per_s,
+                                      glm::dvec2 drift_m) const {
   glm::vec2 sum(0.0f);
   for (std::size_t n = 0; n < 3; ++n) {
     const WindLayer& layer = settings_.layers[n];
-    sum += (*textures_)[n].sample(layer_place(position_m - drift_m, kTurns[n], layer.size_m)) * layer.strength;
+    sum +=
+        (*textures_)[n].sample(layer_place(position_m - drift_m, kTurns[n], layer.size_m)) * layer.strength;
   }
   return gusts_m_per_s(sum, mean_m_per_s, settings_.lateral);
 }
 
-void NoiseWind::add_row(glm::dvec2 first_m, double spacing_m, std::span<const glm::dvec2> means_m_per_s, glm::dvec2 drift_m,
-                        std::span<glm::vec2> row_m_per_s) const {
+void NoiseWind::add_row(glm::dvec2 first_m, double spacing_m, std::span<const glm::dvec2> means_m_per_s,
+                        glm::dvec2 drift_m, std::span<glm::vec2> row_m_per_s) const {
   for (std::size_t first = 0; first < row_m_per_s.size(); first += kTogether) {
     PlaceBlock block{};
     for (std::size_t n = 0; n < 3; ++n)
-      add_layer((*textures_)[n], settings_.layers[n], kTurns[n], first_m, spacing_m, static_cast<int>(first), drift_m, block);
+      add_layer((*textures_)[n], settings_.layers[n], kTurns[n], first_m, spacing_m, static_cast<int>(first),
+                drift_m, block);
     const std::size_t end = std::min(first + kTogether, row_m_per_s.size());
     for (std::size_t n = first; n < end; ++n)
-      row_m_per_s[n] += gusts_m_per_s({block.x[n - first], block.y[n - first]}, means_m_per_s[n], settings_.lateral);
+      row_m_per_s[n] +=
+          gusts_m_per_s({block.x[n - first], block.y[n - first]}, means_m_per_s[n], settings_.lateral);
   }
 }
 

@@ -55,8 +55,8 @@ class NoiseWind {
   glm::vec2 velocity_m_per_s(glm::dvec2 position_m, glm::dvec2 mean_m_per_s, glm::dvec2 drift_m) const;
 
   /// Adds the same to a row of places eastward from `first_m`, as many as there are means.
-  void add_row(glm::dvec2 first_m, double spacing_m, std::span<const glm::dvec2> means_m_per_s, glm::dvec2 drift_m,
-               std::span<glm::vec2> row_m_per_s) const;
+  void add_row(glm::dvec2 first_m, double spacing_m, std::span<const glm::dvec2> means_m_per_s,
+               glm::dvec2 drift_m, std::span<glm::vec2> row_m_per_s) const;
 
  private:
   NoiseWindSettings settings_;

@@ -15,7 +15,8 @@ using Row = ChainBlock::Row;
 
 /// Blades as the processor likes them: what makes each stand as it does, and how that is.
 struct StandingBlock {
-  Row root_m[2], ground_m, height_m, azimuth_rad, tilt_rad, curvature_rad, lean[2], own_stiffness, phase_rad;  // as worn
+  Row root_m[2], ground_m, height_m, azimuth_rad, tilt_rad, curvature_rad, lean[2], own_stiffness,
+      phase_rad;            // as worn
   Row slope[2], normal[3];  // of the ground
   Row tread[3];             // lean east, lean north, tilt
   Row load[12], tip[3];     // of the virtual blade's texel; 0 in calm air
@@ -51,7 +52,9 @@ void put_blade(StandingBlock& block, std::size_t n, const Blade& blade) {
   block.phase_rad[n] = blade.phase_rad;
 }
 
-glm::vec3 vector_in(const Row* rows, std::size_t n) { return {rows[0][n], rows[1][n], rows[2][n]}; }
+glm::vec3 vector_in(const Row* rows, std::size_t n) {
+  return {rows[0][n], rows[1][n], rows[2][n]};
+}
 
 void put_vector(Row* rows, std::size_t n, glm::vec3 v) {
   rows[0][n] = v.x;
@@ -66,8 +69,10 @@ PRAIRIE_VECTOR_STAGE void pose_block(StandingBlock& block, float time) {
     const Blade blade = blade_in(block, n);
     const Kernels::Pressing pressing{{block.tread[0][n], block.tread[1][n]}, block.tread[2][n], 0.0f};
     const Kernels::BladeCurve grown = kernels.pose_blade(blade, {block.slope[0][n], block.slope[1][n]}, 1.0f);
-    const ChainVectors load = kernels.with_own_sway(blade, grown, vectors_in(block.load, n), vector_in(block.tip, n), time);
-    const Kernels::BladeCurve curve = kernels.pressed_curve(grown, blade.height_m, vector_in(block.normal, n), pressing);
+    const ChainVectors load =
+        kernels.with_own_sway(blade, grown, vectors_in(block.load, n), vector_in(block.tip, n), time);
+    const Kernels::BladeCurve curve =
+        kernels.pressed_curve(grown, blade.height_m, vector_in(block.normal, n), pressing);
     const ChainVectors rest = kernels.chain_rest(curve).along;
     const float compliance = 1.0f / std::max(block.stiffness[n], kernels.softest_chain());
     put_vectors(block.turn, n, kernels.virtual_turns(rest, load, compliance));
@@ -86,18 +91,20 @@ void take_from(const StandingBlock& block, std::size_t n, StandingBlade& found) 
   found.least_rise = block.least_rise[n];
 }
 
-void find_block(const Surroundings& around, TileId tile, const CellTables& tables, std::span<const BladeOfCell> blades,
-                std::span<StandingBlade> found) {
+void find_block(const Surroundings& around, TileId tile, const CellTables& tables,
+                std::span<const BladeOfCell> blades, std::span<StandingBlade> found) {
   Kernels kernels{tables.tables.data()};
   std::array<glm::dvec2, kTogether> places_m;
   std::array<Tread, kTogether> treads;
   const glm::dvec2 origin_m = tile_origin_m(around.meadow, tile);
-  for (std::size_t n = 0; n < blades.size(); ++n) places_m[n] = origin_m + glm::dvec2(blades[n].blade->root_m);
+  for (std::size_t n = 0; n < blades.size(); ++n)
+    places_m[n] = origin_m + glm::dvec2(blades[n].blade->root_m);
   around.treading.sample(std::span(places_m).first(blades.size()), std::span(treads).first(blades.size()));
 
   StandingBlock block{};
   // What does not count here is posed, too, and must be a blade.
-  for (Row* row : {&block.height_m, &block.own_stiffness, &block.stiffness}) std::fill_n(*row, kTogether, 1.0f);
+  for (Row* row : {&block.height_m, &block.own_stiffness, &block.stiffness})
+    std::fill_n(*row, kTogether, 1.0f);
   for (std::size_t n = 0; n < blades.size(); ++n) {
     const PlantedCell& cell = *blades[n].cell;
     StandingBlade& now = found[n];
@@ -105,7 +112,8 @@ void find_block(const Surroundings& around, TileId tile, const CellTables& table
     now.species = &around.species[cell.species];
     now.place_m = places_m[n];
     now.blade.height_m *= kernels.worn_length(treads[n].wear);
-    const glm::vec2 slope = kernels.ground_in_cell(cell.ground_table, cell.side_m, now.blade.root_m - cell.offset_m).slope;
+    const glm::vec2 slope =
+        kernels.ground_in_cell(cell.ground_table, cell.side_m, now.blade.root_m - cell.offset_m).slope;
     now.normal = kernels.normalized(glm::vec3(-slope.x, -slope.y, 1.0f));
     // A blade's own swaying keeps its pace: a change of frequency would throw it out of its phase.
     now.stiffness = now.blade.stiffness;
@@ -129,8 +137,8 @@ void find_block(const Surroundings& around, TileId tile, const CellTables& table
 
 }  // namespace
 
-void find_standing(const Surroundings& around, TileId tile, const CellTables& tables, std::span<const BladeOfCell> blades,
-                   std::span<StandingBlade> found) {
+void find_standing(const Surroundings& around, TileId tile, const CellTables& tables,
+                   std::span<const BladeOfCell> blades, std::span<StandingBlade> found) {
   assert(blades.size() == found.size());
   for (std::size_t first = 0; first < blades.size(); first += kTogether) {
     const std::size_t count = std::min(kTogether, blades.size() - first);

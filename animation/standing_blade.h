@@ -1,5 +1,5 @@
-// A planted blade as treads and wind make it stand at a time: what a drawn blade of the virtual model is, on the CPU. Blades that
-// move by themselves start from it and come back to it (animation/touched_blades.h).
+// A planted blade as treads and wind make it stand at a time: what a drawn blade of the virtual model is, on
+// the CPU. Blades that move by themselves start from it and come back to it (animation/touched_blades.h).
 #pragma once
 
 #include <span>
@@ -47,9 +47,9 @@ struct BladeOfCell {
   const Blade* blade;
 };
 
-/// Blades of cells of a tile that `tables` hold, as shaders/pass/grow.comp poses them; as many as `found` has room for. Each is
-/// what it would be alone; many at once cost less.
-void find_standing(const Surroundings& around, TileId tile, const CellTables& tables, std::span<const BladeOfCell> blades,
-                   std::span<StandingBlade> found);
+/// Blades of cells of a tile that `tables` hold, as shaders/pass/grow.comp poses them; as many as `found` has
+/// room for. Each is what it would be alone; many at once cost less.
+void find_standing(const Surroundings& around, TileId tile, const CellTables& tables,
+                   std::span<const BladeOfCell> blades, std::span<StandingBlade> found);
 
 }  // namespace prairie

@@ -17,12 +17,14 @@ constexpr std::size_t kLevels = kWindowLevels;
 
 }  // namespace
 
-Sway::Sway(std::vector<SwaySpecies> species, glm::dvec2 eye_m) : species_(std::move(species)), centre_m_(eye_m) {
+Sway::Sway(std::vector<SwaySpecies> species, glm::dvec2 eye_m)
+    : species_(std::move(species)), centre_m_(eye_m) {
   std::vector<ChainTraits> traits;
   for (const SwaySpecies& one : species_) traits.push_back(one.traits);
   for (std::size_t level = 0; level < kLevels; ++level) {
     levels_.push_back({VirtualBlades(traits, kSide, window_texel_m(level), eye_m),
-                       std::vector<glm::vec2>(std::size_t{kSide + 1} * (kSide + 1)), std::vector<glm::vec3>(kTexels)});
+                       std::vector<glm::vec2>(std::size_t{kSide + 1} * (kSide + 1)),
+                       std::vector<glm::vec3>(kTexels)});
   }
   image_.resize(static_cast<std::size_t>(layer_count()) * kTexels);
 }
@@ -96,7 +98,8 @@ void Sway::paint_level(std::size_t level) {
     const bool is_tip = l + 1 == layers;
     own[l] = layer(is_tip ? tip_layer(level) : static_cast<int>(4 * level * count + l)).data();
     if (!is_last)
-      coarser[l] = layer(is_tip ? tip_layer(level + 1) : static_cast<int>(4 * (level + 1) * count + l)).data();
+      coarser[l] =
+          layer(is_tip ? tip_layer(level + 1) : static_cast<int>(4 * (level + 1) * count + l)).data();
   }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, kTexels, 8 * kSide), [&](const auto& range) {
     for (std::size_t n = range.begin(); n != range.end(); ++n) {

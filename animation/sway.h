@@ -1,10 +1,10 @@
-// Wind and inertia of virtual blades (B11 §3.3) for all that is seen: windows of rising texel size around the eye
-// (animation/virtual_blades.h), as the texture that all tiers read; they fade into one another
+// Wind and inertia of virtual blades (B11 §3.3) for all that is seen: windows of rising texel size around the
+// eye (animation/virtual_blades.h), as the texture that all tiers read; they fade into one another
 // (animation/eye_windows.h).
 //
-// Layers of the texture, each side × side texels of four floats, rows from the torus' first: for each level, finest
-// first, and each species four layers (VirtualTexel's segments); then for each level one with the mean displacement of
-// tips over the species, as a share of their length, in xyz.
+// Layers of the texture, each side × side texels of four floats, rows from the torus' first: for each level,
+// finest first, and each species four layers (VirtualTexel's segments); then for each level one with the mean
+// displacement of tips over the species, as a share of their length, in xyz.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -41,8 +41,8 @@ class Sway {
   /// Moves the windows along, the texture with them.
   void follow(glm::dvec2 eye_m);
 
-  /// Blades become as stiff as those of the ground beneath them in these conditions, from where and as they move now.
-  /// The windows have to lie around the same eye.
+  /// Blades become as stiff as those of the ground beneath them in these conditions, from where and as they
+  /// move now. The windows have to lie around the same eye.
   void stiffen(const ConditionWindow& conditions);
 
   /// Moves all blades on to `to_s` in the wind of that time.

@@ -1,5 +1,5 @@
-// A window that moves over an endless lattice of texels, kept as a torus: texel (i, j) lies at (i mod side, j mod side), row by
-// row from the south, so that what stays in the window stays where it is.
+// A window that moves over an endless lattice of texels, kept as a torus: texel (i, j) lies at (i mod side, j
+// mod side), row by row from the south, so that what stays in the window stays where it is.
 #pragma once
 
 #include <cmath>

@@ -29,7 +29,8 @@ struct Disc {
 };
 
 Disc footprint(const Solid& solid) {
-  if (const auto* sphere = std::get_if<Sphere>(&solid)) return {glm::dvec2(sphere->centre_m), sphere->radius_m};
+  if (const auto* sphere = std::get_if<Sphere>(&solid))
+    return {glm::dvec2(sphere->centre_m), sphere->radius_m};
   if (const auto* capsule = std::get_if<Capsule>(&solid)) {
     const glm::dvec2 from_m(capsule->from_m), to_m(capsule->to_m);
     return {0.5 * (from_m + to_m), 0.5 * glm::distance(from_m, to_m) + capsule->radius_m};
@@ -53,8 +54,8 @@ ChainVectors plus(const ChainVectors& a, const ChainVectors& b, float scale = 1.
   return Kernels{}.chain_sum(a, b, scale);
 }
 
-// Treads change what a blade rests in, not where it is. They do so little by little: the cross product of two directions is the
-// turn between them.
+// Treads change what a blade rests in, not where it is. They do so little by little: the cross product of two
+// directions is the turn between them.
 void keep_in_place(const ChainVectors& old_rest, const ChainVectors& new_rest, ChainVectors& turn) {
   turn.v1 -= glm::cross(old_rest.v1, new_rest.v1);
   turn.v2 -= glm::cross(old_rest.v2, new_rest.v2);
@@ -168,7 +169,8 @@ void TouchedBlades::swing(const Surroundings& around, float dt_s) {
   chains.step(dt_s);
   tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t at) {
     const auto& [id, patch, first] = moving[at];
-    for (std::size_t n = 0; n < patch->touched.size(); ++n) patch->touched[n].motion = chains.motion(first + n);
+    for (std::size_t n = 0; n < patch->touched.size(); ++n)
+      patch->touched[n].motion = chains.motion(first + n);
   });
 }
 
@@ -210,14 +212,16 @@ void TouchedBlades::touch(const Surroundings& around, std::span<const Solid> sol
   double longest_m = 0.0;
   for (const PlantedSpecies& planted : around.meadow.species) {
     const SpeciesParams& params = planted.species.params;
-    longest_m = std::max(longest_m, static_cast<double>(params.height_m * (1.0f + layouts::kTallestSpread * params.height_spread)));
+    longest_m = std::max(longest_m, static_cast<double>(params.height_m * (1.0f + layouts::kTallestSpread *
+                                                                                      params.height_spread)));
   }
   std::map<CellId, std::vector<const Solid*>> near;
   for (const Solid& solid : solids) {
     const Disc disc = footprint(solid);
     if (glm::distance(disc.centre_m, eye_m) > kReachM) continue;
     const double reach_m = disc.radius_m + longest_m;
-    const glm::ivec2 low(glm::floor((disc.centre_m - reach_m) / cell_m)), high(glm::floor((disc.centre_m + reach_m) / cell_m));
+    const glm::ivec2 low(glm::floor((disc.centre_m - reach_m) / cell_m)),
+        high(glm::floor((disc.centre_m + reach_m) / cell_m));
     for (int j = low.y; j <= high.y; ++j) {
       for (int i = low.x; i <= high.x; ++i) {
         const TileId tile{i >> 1, j >> 1};
@@ -271,8 +275,9 @@ void TouchedBlades::touch_patch(const Surroundings& around, CellId id, Patch& pa
   std::vector<StandingBlade> touched_standing;
   std::size_t of_known = 0, of_candidates = 0;
   while (of_known < patch.touched.size() || of_candidates < candidates.size()) {
-    const bool is_known = of_candidates == candidates.size() ||
-                          (of_known < patch.touched.size() && patch.touched[of_known].index < candidates[of_candidates]);
+    const bool is_known =
+        of_candidates == candidates.size() ||
+        (of_known < patch.touched.size() && patch.touched[of_known].index < candidates[of_candidates]);
     const StandingBlade& now = is_known ? patch.standing[of_known] : candidates_standing[of_candidates];
     TouchedBlade blade;
     if (is_known) {
@@ -324,7 +329,8 @@ void TouchedBlades::hand_over(float dt_s) {
     patch.touched.resize(kept);
     patch.standing.resize(kept);
   }
-  std::erase_if(patches_, [](const auto& entry) { return entry.second.touched.empty() && !entry.second.is_near; });
+  std::erase_if(patches_,
+                [](const auto& entry) { return entry.second.touched.empty() && !entry.second.is_near; });
 }
 
 void TouchedBlades::pose(const Surroundings& around) {
@@ -352,13 +358,15 @@ void TouchedBlades::make_chains() {
       chains_.push_back(now.chain(blade.motion.turn, blade.rise));
       const auto after = std::upper_bound(patch.first_blade.begin(), patch.first_blade.end(), blade.index);
       const auto group = static_cast<std::size_t>(after - patch.first_blade.begin()) - 1;
-      groups[group].slots[blade.index - patch.first_blade[group]] = static_cast<std::uint32_t>(chains_.size());
+      groups[group].slots[blade.index - patch.first_blade[group]] =
+          static_cast<std::uint32_t>(chains_.size());
     }
     for (TouchedGroup& group : groups) groups_.push_back(std::move(group));
   }
 }
 
-void TouchedBlades::step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m, float dt_s) {
+void TouchedBlades::step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m,
+                         float dt_s) {
   swing(around, dt_s);
   hand_over(dt_s);
   touch(around, solids, eye_m);
@@ -384,10 +392,11 @@ void TouchedBlades::restore(const TouchedState& state, const Meadow& meadow) {
     blades += patch.blade_count;
     if (touched.back().index >= patch.blade_count)
       throw BadInput("", "touched.index", fmt::format("{}", touched.back().index),
-                     fmt::format("one of the {} blades of cell {} of tile {}, {}", patch.blade_count, id.cell, id.tile.i,
-                                 id.tile.j));
+                     fmt::format("one of the {} blades of cell {} of tile {}, {}", patch.blade_count, id.cell,
+                                 id.tile.i, id.tile.j));
     if (blades > kMostTouchable)
-      throw BadInput("", "touched", "cells with more blades", fmt::format("at most {} in all", kMostTouchable));
+      throw BadInput("", "touched", "cells with more blades",
+                     fmt::format("at most {} in all", kMostTouchable));
   }
   for (const auto& [id, touched] : state) {
     Patch& patch = patches[id];

@@ -1,6 +1,7 @@
-// Interaction patches (B11 §2.1, §3.4): the cells that objects touch, whose touched blades keep rotation and rate from step to
-// step. Objects bend them aside (animation/contact.h), afterwards they swing inertially, and once their motion is spent they
-// fade back into the virtual model and are forgotten (animation/handover.h). No other blade is stored.
+// Interaction patches (B11 §2.1, §3.4): the cells that objects touch, whose touched blades keep rotation and
+// rate from step to step. Objects bend them aside (animation/contact.h), afterwards they swing inertially,
+// and once their motion is spent they fade back into the virtual model and are forgotten
+// (animation/handover.h). No other blade is stored.
 //
 // Deviation: B11 keeps all blades of a patch; here only those that have been touched cost something.
 #pragma once
@@ -32,7 +33,7 @@ struct TouchedBlade {
   ChainMotion motion{};     // from its shape at rest, which treads change
   ChainVectors rest{};      // directions of that
   ChainVectors offset{};    // while it fades: from the virtual blade
-  float rise = -1.0f;       // at which its segments rise at least: none has anything to lie on under an object
+  float rise = -1.0f;  // at which its segments rise at least: none has anything to lie on under an object
   std::int32_t near_steps = 0;
   std::int32_t fades = 0;  // 1 while it goes back to the virtual model, 2 once it is there
 
@@ -50,8 +51,8 @@ struct TouchedGroup {
 
 class TouchedBlades {
  public:
-  /// Moves on by `dt_s`, after which solids lie where they lie. Blades farther than `kReachM` from the eye are left to the
-  /// virtual model.
+  /// Moves on by `dt_s`, after which solids lie where they lie. Blades farther than `kReachM` from the eye
+  /// are left to the virtual model.
   void step(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m, float dt_s);
   static constexpr double kReachM = 30.0;
 
@@ -64,8 +65,8 @@ class TouchedBlades {
   std::span<const Kernels::BladeChain> chains() const { return chains_; }
 
   TouchedState state() const;
-  /// Takes over a state. Throws BadInput, and changes nothing, if it cannot be one of this meadow. Shapes to draw are there
-  /// after the next step or `pose`.
+  /// Takes over a state. Throws BadInput, and changes nothing, if it cannot be one of this meadow. Shapes to
+  /// draw are there after the next step or `pose`.
   void restore(const TouchedState& state, const Meadow& meadow);
   void pose(const Surroundings& around);
 
@@ -88,7 +89,8 @@ class TouchedBlades {
   Patch& patch_at(const Meadow& meadow, CellId id);
   void swing(const Surroundings& around, float dt_s);
   void touch(const Surroundings& around, std::span<const Solid> solids, glm::dvec2 eye_m);
-  void touch_patch(const Surroundings& around, CellId id, Patch& patch, std::span<const Solid* const> objects) const;
+  void touch_patch(const Surroundings& around, CellId id, Patch& patch,
+                   std::span<const Solid* const> objects) const;
   void hand_over(float dt_s);
   void make_chains();
 

@@ -11,8 +11,8 @@ namespace prairie {
 /// A year.
 inline constexpr float kMostRecoveryS = 3.2e7f;
 
-/// Things are no farther from the origin along an axis: node indices stay within an int at any spacing, and a float still
-/// tells a millimetre inside a page.
+/// Things are no farther from the origin along an axis: node indices stay within an int at any spacing, and a
+/// float still tells a millimetre inside a page.
 inline constexpr double kFarthestM = 1e7;
 
 /// The settings themselves.

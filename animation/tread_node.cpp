@@ -38,9 +38,12 @@ float recovered_share(float passed_s, float recovery_s) {
   return std::min(std::max(passed_s / recovery_s, 0.0f), 1.0f);
 }
 
-float passed_s(const TreadNode& node, double time_s) { return static_cast<float>(time_s - node.start_s); }
+float passed_s(const TreadNode& node, double time_s) {
+  return static_cast<float>(time_s - node.start_s);
+}
 
-/// F `passed_s` after the recovery of `field` began. Without branches, so that it takes part in a vector stage.
+/// F `passed_s` after the recovery of `field` began. Without branches, so that it takes part in a vector
+/// stage.
 float field_after(float field, float passed_s, float recovery_s) {
   const float left = 1.0f - recovered_share(passed_s, recovery_s);
   const float now = field * (left * left);
@@ -97,7 +100,8 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
   const float had = std::min(before, crushed), has = std::min(after, crushed);
   if (has > had) node.direction = (node.direction * had + directed * ((has - had) / added)) / has;
 
-  const float share = before > 0.0f ? recovered_share(passed_s(node, to_s), node.recovery_s) * (before / after) : 0.0f;
+  const float share =
+      before > 0.0f ? recovered_share(passed_s(node, to_s), node.recovery_s) * (before / after) : 0.0f;
   const float left = 1.0f - std::min(share, 0.999f);
   node.field = after / (left * left);
   node.recovery_s = recovery_time_s(settings, node, after, wear);
@@ -147,8 +151,8 @@ PRAIRIE_VECTOR_STAGE void find_treads(const TreadSettings& settings, TreadBlock&
 
 }  // namespace
 
-void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes, std::span<const float> wear, double time_s,
-               std::span<glm::vec4> treads) {
+void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes, std::span<const float> wear,
+               double time_s, std::span<glm::vec4> treads) {
   if (treads.size() < 4) {  // a block costs as much as four
     for (std::size_t n = 0; n < treads.size(); ++n) {
       const Tread tread = tread_of(settings, nodes[n], wear[n], time_s);

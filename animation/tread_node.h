@@ -74,7 +74,7 @@ void press(const TreadSettings& settings, const TreadPush& push, double from_s, 
 Tread tread_of(const TreadSettings& settings, const TreadNode& node, float wear, double time_s);
 
 /// The same of as many nodes as there are treads: (lean east, lean north, tilt, wear).
-void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes, std::span<const float> wear, double time_s,
-               std::span<glm::vec4> treads);
+void treads_of(const TreadSettings& settings, std::span<const TreadNode> nodes, std::span<const float> wear,
+               double time_s, std::span<glm::vec4> treads);
 
 }  // namespace prairie

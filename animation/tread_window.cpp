@@ -28,7 +28,8 @@ struct Taps {
   std::array<float, 4> weights;
 };
 
-/// A page's nodes with some beyond its eastern and northern border, and around it as far as texels sample aside.
+/// A page's nodes with some beyond its eastern and northern border, and around it as far as texels sample
+/// aside.
 class PageNodes {
  public:
   void read(const Treading& treading, PageIndex page, double aside_m) {
@@ -54,7 +55,8 @@ class PageNodes {
   Taps taps(double position_m, int first) const {
     Taps found;
     for (std::size_t n = 0; n < 2; ++n) {
-      const double nodes = (position_m + (n == 0 ? -aside_m_ : aside_m_)) / spacing_m_, below = std::floor(nodes);
+      const double nodes = (position_m + (n == 0 ? -aside_m_ : aside_m_)) / spacing_m_,
+                   below = std::floor(nodes);
       const int from = static_cast<int>(below) - first;
       const float share = static_cast<float>(nodes - below);
       assert(from >= 0 && from + 1 < side_);
@@ -73,21 +75,25 @@ class PageNodes {
 };
 
 /// A row of texels from a page's nodes; `shares`: by which each is multiplied.
-PRAIRIE_VECTOR_STAGE void paint_row(const PageNodes& nodes, const Taps& up, std::span<const Taps> across, std::span<const float> shares,
-                                    std::span<glm::vec4> row, std::span<TreadTexel> texels) {
+PRAIRIE_VECTOR_STAGE void paint_row(const PageNodes& nodes, const Taps& up, std::span<const Taps> across,
+                                    std::span<const float> shares, std::span<glm::vec4> row,
+                                    std::span<TreadTexel> texels) {
   const glm::vec4* from[4];
   for (std::size_t k = 0; k < 4; ++k) from[k] = nodes.row(up.nodes[k]);
   for (std::size_t n = 0; n < row.size(); ++n)
-    row[n] = (from[0][n] * up.weights[0] + from[1][n] * up.weights[1]) + (from[2][n] * up.weights[2] + from[3][n] * up.weights[3]);
+    row[n] = (from[0][n] * up.weights[0] + from[1][n] * up.weights[1]) +
+             (from[2][n] * up.weights[2] + from[3][n] * up.weights[3]);
   const glm::vec4 unit = 127.0f / glm::vec4(glm::vec3(layouts::kTreadMostRad), 1.0f);
   for (std::size_t n = 0; n < texels.size(); ++n) {
     const Taps& taps = across[n];
     glm::vec4 tread(0.0f);
-    for (std::size_t k = 0; k < 4; ++k) tread += row[static_cast<std::size_t>(taps.nodes[k])] * taps.weights[k];
+    for (std::size_t k = 0; k < 4; ++k)
+      tread += row[static_cast<std::size_t>(taps.nodes[k])] * taps.weights[k];
     tread *= unit * shares[n];
     for (int c = 0; c < 4; ++c) {
       const float steps = std::min(std::max(tread[c], -127.0f), 127.0f);
-      texels[n][static_cast<std::size_t>(c)] = static_cast<std::int8_t>(static_cast<int>(steps + (steps < 0.0f ? -0.5f : 0.5f)));
+      texels[n][static_cast<std::size_t>(c)] =
+          static_cast<std::int8_t>(static_cast<int>(steps + (steps < 0.0f ? -0.5f : 0.5f)));
     }
   }
 }
@@ -102,7 +108,8 @@ struct Range {
   int first, end;
 };
 Range middles_in(double low_m, double high_m, double size_m) {
-  return {static_cast<int>(std::ceil(low_m / size_m - 0.5)), static_cast<int>(std::ceil(high_m / size_m - 0.5))};
+  return {static_cast<int>(std::ceil(low_m / size_m - 0.5)),
+          static_cast<int>(std::ceil(high_m / size_m - 0.5))};
 }
 
 // Nearer texels are those of the finer level, but for the ones that are blended with its neighbours.
@@ -122,7 +129,8 @@ void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
   centre_m_ = eye_m;
   for (const Block& block : painted_) {
     for (int row = block.first_row; row < block.end_row; ++row) {
-      for (int column = block.first_column; column < block.end_column; ++column) image_[index_of(block.level, row, column)] = {};
+      for (int column = block.first_column; column < block.end_column; ++column)
+        image_[index_of(block.level, row, column)] = {};
     }
     mark(block);
   }
@@ -131,7 +139,8 @@ void TreadWindow::paint(const Treading& treading, glm::dvec2 eye_m) {
   const std::vector<PageIndex> pages = pages_around(treading);
   std::vector<Block> blocks(pages.size() * layouts::kTreadLevels);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
-    blocks[n] = paint_page(treading, pages[n / layouts::kTreadLevels], static_cast<int>(n % layouts::kTreadLevels));
+    blocks[n] =
+        paint_page(treading, pages[n / layouts::kTreadLevels], static_cast<int>(n % layouts::kTreadLevels));
   });
   for (const Block& block : blocks) {
     if (block.first_row >= block.end_row) continue;
@@ -164,10 +173,12 @@ std::size_t TreadWindow::index_of(int level, int row, int column) {
   return static_cast<std::size_t>(level) * kTexels + torus_index(column, row, kSide);
 }
 
-// Those with trodden nodes within the last window, and their neighbours, whose texels may lie next to such nodes.
+// Those with trodden nodes within the last window, and their neighbours, whose texels may lie next to such
+// nodes.
 std::vector<PageIndex> TreadWindow::pages_around(const Treading& treading) const {
   const double spacing_m = treading.settings().spacing_m;
-  const double most_m = fade_end_m(0.5 * texel_m(layouts::kTreadLevels - 1) * kSide) + 2.0 * kPageNodes * spacing_m;
+  const double most_m =
+      fade_end_m(0.5 * texel_m(layouts::kTreadLevels - 1) * kSide) + 2.0 * kPageNodes * spacing_m;
   const PageIndex low = page_of(square_of(centre_m_ - most_m, spacing_m).south_west);
   const PageIndex high = page_of(square_of(centre_m_ + most_m, spacing_m).south_west);
   std::vector<PageIndex> pages;
@@ -182,7 +193,8 @@ std::vector<PageIndex> TreadWindow::pages_around(const Treading& treading) const
   return pages;
 }
 
-// A texel takes the mean of 2 × 2 places in it, or what lies at its middle where nodes are no closer than texels.
+// A texel takes the mean of 2 × 2 places in it, or what lies at its middle where nodes are no closer than
+// texels.
 TreadWindow::Block TreadWindow::paint_page(const Treading& treading, PageIndex page, int level) {
   const double spacing_m = treading.settings().spacing_m;
   const glm::dvec2 low_m = spacing_m * glm::dvec2(page.south_west().i, page.south_west().j);
@@ -204,11 +216,13 @@ TreadWindow::Block TreadWindow::paint_page(const Treading& treading, PageIndex p
   if (nodes.are_at_rest()) return {};
   // No farther than the window reaches, or texels of both ends would share a place in the torus.
   const auto texels_along = [&](double from_m, double centre_m) {
-    return middles_in(std::max(from_m, centre_m - most_m), std::min(from_m + side_m, centre_m + most_m), size_m);
+    return middles_in(std::max(from_m, centre_m - most_m), std::min(from_m + side_m, centre_m + most_m),
+                      size_m);
   };
   const Range rows = texels_along(low_m.y, centre_m_.y), columns = texels_along(low_m.x, centre_m_.x);
   std::vector<Taps> across;
-  for (int column = columns.first; column < columns.end; ++column) across.push_back(nodes.column_at(size_m * (column + 0.5)));
+  for (int column = columns.first; column < columns.end; ++column)
+    across.push_back(nodes.column_at(size_m * (column + 0.5)));
   const auto share_at = [&](glm::dvec2 middle_m) {
     const double away_m = distance_m(middle_m);
     if (away_m >= most_m || away_m < least_m) return 0.0f;

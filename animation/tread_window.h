@@ -1,5 +1,6 @@
-// Trodden grass around the eye as a texture: windows of rising node spacing, tori as those of animation/eye_windows.h and as wide,
-// of bytes. A coarser one holds what lies beyond the finer. Only what has been trodden costs something.
+// Trodden grass around the eye as a texture: windows of rising node spacing, tori as those of
+// animation/eye_windows.h and as wide, of bytes. A coarser one holds what lies beyond the finer. Only what
+// has been trodden costs something.
 #pragma once
 
 #include <array>
@@ -20,7 +21,8 @@ class TreadWindow {
  public:
   TreadWindow();
 
-  /// Paints what `treading`, the same each time, holds around `eye_m` at its time; nothing where that is painted already.
+  /// Paints what `treading`, the same each time, holds around `eye_m` at its time; nothing where that is
+  /// painted already.
   void paint(const Treading& treading, glm::dvec2 eye_m);
 
   glm::dvec2 centre_m() const { return centre_m_; }

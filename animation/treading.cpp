@@ -55,8 +55,8 @@ void fetch(const TreadNode* nodes, std::size_t count) {
 #endif
 }
 
-/// Calls `visit(slot, index, count)` for every row of the page's nodes in the rectangle: where its first lies in the page and
-/// in the rectangle, and how many there are.
+/// Calls `visit(slot, index, count)` for every row of the page's nodes in the rectangle: where its first lies
+/// in the page and in the rectangle, and how many there are.
 template <class Visitor>
 void for_rows(const NodeRect& rect, PageIndex page, Visitor visit) {
   const NodeIndex corner = page.south_west();
@@ -75,7 +75,8 @@ void for_rows(const NodeRect& rect, PageIndex page, Visitor visit) {
 template <class Node, class Visitor>
 void for_pages(const NodeRect& rect, const NodeField<Node>& field, Visitor visit) {
   if (rect.columns <= 0 || rect.rows <= 0) return;
-  field.for_pages(page_of({rect.column, rect.row}), page_of({rect.column + rect.columns - 1, rect.row + rect.rows - 1}), visit);
+  field.for_pages(page_of({rect.column, rect.row}),
+                  page_of({rect.column + rect.columns - 1, rect.row + rect.rows - 1}), visit);
 }
 
 /// Reads nodes, and looks for a page only where it is another than for the last one.
@@ -265,8 +266,8 @@ void Treading::read(const NodeRect& rect, std::span<glm::vec4> out) const {
     const NodeField<TreadNode>::Page* found = state_.nodes.find_page(page);
     const NodeField<TreadNode>::Page& nodes = found == nullptr ? kAtRest : *found;
     for_rows(rect, page, [&](std::size_t slot, std::size_t index, std::size_t count) {
-      treads_of(settings_, std::span(nodes).subspan(slot, count), std::span(wear).subspan(slot, count), state_.time_s,
-                out.subspan(index, count));
+      treads_of(settings_, std::span(nodes).subspan(slot, count), std::span(wear).subspan(slot, count),
+                state_.time_s, out.subspan(index, count));
     });
   });
 }
@@ -276,7 +277,8 @@ void Treading::read_wear(const NodeRect& rect, std::span<float> out) const {
   std::fill(out.begin(), out.end(), 0.0f);
   for_pages(rect, state_.wear, [&](PageIndex page, const NodeField<float>::Page& wear) {
     for_rows(rect, page, [&](std::size_t slot, std::size_t index, std::size_t count) {
-      std::copy_n(wear.begin() + static_cast<std::ptrdiff_t>(slot), count, out.begin() + static_cast<std::ptrdiff_t>(index));
+      std::copy_n(wear.begin() + static_cast<std::ptrdiff_t>(slot), count,
+                  out.begin() + static_cast<std::ptrdiff_t>(index));
     });
   });
 }

@@ -86,7 +86,8 @@ void VirtualBlades::follow(glm::dvec2 eye_m) {
         overlap && texel.x >= low.x && texel.x <= high.x && texel.y >= low.y && texel.y <= high.y;
     if (stays) continue;
     const std::size_t nearest =
-        overlap ? torus_index(std::clamp(texel.x, low.x, high.x), std::clamp(texel.y, low.y, high.y), side_) : n;
+        overlap ? torus_index(std::clamp(texel.x, low.x, high.x), std::clamp(texel.y, low.y, high.y), side_)
+                : n;
     for (Stand& stand : species_) {
       stand.blades.set_motion(n, overlap ? stand.blades.motion(nearest) : ChainMotion{});
       stand.texels[n] = overlap ? stand.texels[nearest] : VirtualTexel{};
@@ -122,7 +123,9 @@ void VirtualBlades::feel(std::span<const glm::vec3> wind_m_per_s) {
 }
 
 void VirtualBlades::step(std::span<const glm::vec3> wind_m_per_s, float dt_s) {
-  for_blocks(wind_m_per_s, [dt_s](InertialChains& blades, std::size_t first, std::size_t end) { blades.step_blocks(first, end, dt_s); });
+  for_blocks(wind_m_per_s, [dt_s](InertialChains& blades, std::size_t first, std::size_t end) {
+    blades.step_blocks(first, end, dt_s);
+  });
 }
 
 void VirtualBlades::settle(std::span<const glm::vec3> wind_m_per_s) {

@@ -47,7 +47,8 @@ class VirtualBlades {
   /// stays, they stand still and upright.
   void follow(glm::dvec2 eye_m);
 
-  /// Blades of a texel become so many times as stiff as their species; each keeps its place and its damping ratio.
+  /// Blades of a texel become so many times as stiff as their species; each keeps its place and its damping
+  /// ratio.
   void stiffen(std::size_t index, float factor);
 
   /// Moves all blades on by `dt_s` in a wind for each texel, by index, m/s.
@@ -79,7 +80,8 @@ class VirtualBlades {
     InertialChains blades;
     std::vector<VirtualTexel> texels;
   };
-  /// Sets the wind, calls `move(blades, first block, end)` for runs of blocks at the same time, and finds their texels.
+  /// Sets the wind, calls `move(blades, first block, end)` for runs of blocks at the same time, and finds
+  /// their texels.
   template <class Move>
   void for_blocks(std::span<const glm::vec3> wind_m_per_s, Move move);
   glm::ivec2 texel_at(std::size_t index) const;  // of the lattice

@@ -24,7 +24,8 @@ CameraSpec typed_camera(const std::string& text) {
     return number_option(std::string(kOption) + " " + name, parts[k], least, most);
   };
   CameraSpec spec;
-  spec.position_m = {part(0, "x", -kFarthestCameraM, kFarthestCameraM), part(1, "y", -kFarthestCameraM, kFarthestCameraM)};
+  spec.position_m = {part(0, "x", -kFarthestCameraM, kFarthestCameraM),
+                     part(1, "y", -kFarthestCameraM, kFarthestCameraM)};
   spec.z_m = part(2, "z", -kFarthestCameraM, kFarthestCameraM);
   spec.z_above_ground = parts[2].starts_with('+');
   spec.yaw_deg = part(3, "yaw", -3600.0, 3600.0);

@@ -22,7 +22,8 @@ constexpr const char* kColumns = "columns time_s, x_m, y_m, z_m, yaw_deg, pitch_
 using Values = std::array<double, 6>;
 
 Values values_of(const CameraSpec& camera) {
-  return {camera.position_m.x, camera.position_m.y, camera.z_m, camera.yaw_deg, camera.pitch_deg, camera.fov_deg};
+  return {camera.position_m.x, camera.position_m.y, camera.z_m,
+          camera.yaw_deg,      camera.pitch_deg,    camera.fov_deg};
 }
 
 // Differences over time between a row and the next; none beyond the ends.
@@ -46,7 +47,8 @@ double slope_at(const CameraPath& path, std::size_t row, std::size_t value) {
 CameraPath parse_camera_path(std::string_view text, const std::string& name) {
   CsvTable table(text, name);
   const std::size_t time = table.need("time_s", kColumns);
-  const std::size_t x = table.need("x_m", kColumns), y = table.need("y_m", kColumns), z = table.need("z_m", kColumns);
+  const std::size_t x = table.need("x_m", kColumns), y = table.need("y_m", kColumns),
+                    z = table.need("z_m", kColumns);
   const std::size_t yaw = table.need("yaw_deg", kColumns), pitch = table.need("pitch_deg", kColumns);
   const std::optional<std::size_t> fov = table.find("fov_deg");
 

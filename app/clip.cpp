@@ -61,7 +61,8 @@ void Clip::add(const Picture& picture) {
 void Clip::finish() {
   if (video_) video_->finish();
   if (!video_ && std::filesystem::exists(frame_file(path_, frames_)))
-    say_warning(fmt::format("{}: frames of an earlier, longer clip follow those of this one", path_.string()));
+    say_warning(
+        fmt::format("{}: frames of an earlier, longer clip follow those of this one", path_.string()));
 }
 
 }  // namespace prairie

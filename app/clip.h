@@ -18,8 +18,8 @@ struct ClipFormat {
 
 class Clip {
  public:
-  /// Starts what makes a video of them, so that it is missed before a large scene is read. Throws UsageError on another kind of
-  /// file, or a size that a video cannot have; OutputFailure.
+  /// Starts what makes a video of them, so that it is missed before a large scene is read. Throws UsageError
+  /// on another kind of file, or a size that a video cannot have; OutputFailure.
   Clip(const ClipFormat& format, const std::optional<int>& threads);
 
   /// The frames come now.

@@ -168,7 +168,8 @@ void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& ch
       ->type_name("VIEW,…");
   command
       ->add_option_function<std::string>(
-          "--lod-eye", [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
+          "--lod-eye",
+          [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
           "Tiers are chosen for an eye there, in metres (each camera's)")
       ->type_name("X,Y,Z");
   command

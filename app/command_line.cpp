@@ -103,9 +103,9 @@ CommandLine::CommandLine()
       "Exit codes: 0 fine, 1 failure, 2 command line, 3 bad input, 4 no suitable OpenGL, 130 interrupted.\n"
       "'prairie COMMAND --help' tells more.");
   add_global_options(*app_, globals, list_devices_);
-  for (const auto add_command : {add_new_command, add_info_command, add_render_command, add_record_command,
-                                 add_export_command, add_plant_command, add_view_command, add_walk_command,
-                                 add_bench_command}) {
+  for (const auto add_command :
+       {add_new_command, add_info_command, add_render_command, add_record_command, add_export_command,
+        add_plant_command, add_view_command, add_walk_command, add_bench_command}) {
     add_command(*app_, globals, chosen);
   }
   for (CLI::App* command : app_->get_subcommands({})) {

@@ -62,7 +62,8 @@ void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chose
       ->add_option_function<std::string>(
           "--walkers",
           [&request](const std::string& text) {
-            request.walkers = static_cast<std::uint32_t>(int_option("--walkers", text, 0, static_cast<int>(kMostWalkers)));
+            request.walkers =
+                static_cast<std::uint32_t>(int_option("--walkers", text, 0, static_cast<int>(kMostWalkers)));
           },
           "So many people who wander there (0)")
       ->type_name("N");

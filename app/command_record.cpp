@@ -45,8 +45,7 @@ struct RecordOptions {
 };
 
 int frames_of(const RecordOptions& options, const std::optional<CameraPath>& path) {
-  const double duration_s =
-      options.duration_s.value_or(path ? path->times_s.back() : kDefaultDurationS);
+  const double duration_s = options.duration_s.value_or(path ? path->times_s.back() : kDefaultDurationS);
   const double frames = std::max(std::round(duration_s * options.frames_per_s), 1.0);
   if (frames <= kMostFrames) return static_cast<int>(frames);
   throw UsageError("--duration", fmt::format("{} frames", frames), fmt::format("at most {}", kMostFrames));
@@ -63,7 +62,9 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
   load_asked_state(options.state, world);
   advance_to_asked_time(options.start_s, world);
   const double start_s = world.time_s();
-  Recording recording(clip, {path, standing, options.size_px, options.frames_per_s, options.tier, options.samples}, globals, world);
+  Recording recording(clip,
+                      {path, standing, options.size_px, options.frames_per_s, options.tier, options.samples},
+                      globals, world);
   // To a frame's time, seen as in it; past the last one without being seen.
   const auto go_on_to = [&](int frame) {
     if (frame < frames) look_through(recording.camera(frame), world);
@@ -92,8 +93,9 @@ void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& ch
   auto options = std::make_shared<RecordOptions>();
   command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
   command
-      ->add_option("-o,--output", options->output,
-                   "A video that ends in .mp4 (H.264, made by ffmpeg), or a folder for pictures frame-00000.png, …")
+      ->add_option(
+          "-o,--output", options->output,
+          "A video that ends in .mp4 (H.264, made by ffmpeg), or a folder for pictures frame-00000.png, …")
       ->required()
       ->type_name("FILE|FOLDER");
   CLI::Option* camera =
@@ -102,9 +104,10 @@ void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& ch
                        "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
           ->type_name("NAME|NUMBERS");
   command
-      ->add_option("--path", options->path,
-                   "Where it goes: lines of time_s,x_m,y_m,z_m,yaw_deg,pitch_deg[,fov_deg] after a line of these "
-                   "names; z as +1.7 is above the ground")
+      ->add_option(
+          "--path", options->path,
+          "Where it goes: lines of time_s,x_m,y_m,z_m,yaw_deg,pitch_deg[,fov_deg] after a line of these "
+          "names; z as +1.7 is above the ground")
       ->type_name("FILE.csv")
       ->excludes(camera);
   command
@@ -133,9 +136,8 @@ void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& ch
       "  prairie record examples/meadow -o wind.mp4 --duration 8 --camera close --samples 4\n"
       "  prairie record examples/meadow -o walk.mp4 --path walk.csv --size 1920x1080 --time 5\n"
       "  prairie record examples/meadow -o frames --duration 2 --fps 24 --size 640x360");
-  command->callback([options, &globals, &chosen] {
-    chosen = [options, &globals] { return record(*options, globals); };
-  });
+  command->callback(
+      [options, &globals, &chosen] { chosen = [options, &globals] { return record(*options, globals); }; });
 }
 
 }  // namespace prairie

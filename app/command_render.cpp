@@ -79,7 +79,8 @@ void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& ch
   add_tier_option(*command, options->tier);
   command
       ->add_option_function<std::string>(
-          "--lod-eye", [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
+          "--lod-eye",
+          [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
           "Tiers are chosen for an eye there, in metres (the camera's)")
       ->type_name("X,Y,Z");
   add_samples_option(*command, options->samples);

@@ -32,7 +32,8 @@ int view(const ViewCommandOptions& options, const GlobalOptions& globals) {
 }  // namespace
 
 void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("view", "Opens a window to fly over the moving meadow, walk through it and play with it");
+  CLI::App* command = app.add_subcommand(
+      "view", "Opens a window to fly over the moving meadow, walk through it and play with it");
   auto options = std::make_shared<ViewCommandOptions>();
   command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
   command
@@ -67,12 +68,17 @@ void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       "walking\n"
       "and flying, T between tiers, G tints them, M smooths edges; - and = lower and raise the quality;\n"
       "F12 saves prairie-0001.png, …; H hides the text; Esc ends.\n"
-      "P pauses time and N steps it once meanwhile; [ and ] change the wind's speed, comma and full stop its\n"
-      "heading, ; and ' its turbulence; B sends a gust, V a tornado; R lets a stone roll; C takes a cart, which\n"
-      "the arrow keys drive, or leaves it; O shows the wind as arrows, then trodden grass as heat, then how far\n"
+      "P pauses time and N steps it once meanwhile; [ and ] change the wind's speed, comma and full stop "
+      "its\n"
+      "heading, ; and ' its turbulence; B sends a gust, V a tornado; R lets a stone roll; C takes a cart, "
+      "which\n"
+      "the arrow keys drive, or leaves it; O shows the wind as arrows, then trodden grass as heat, then how "
+      "far\n"
       "it is from having risen.\n"
-      "Of walkers, K watches the next one and J has the camera free, behind it or about it (dragging turns, wheel\n"
-      "or Q and E go nearer or farther); U takes it or gives it back: the arrow keys then walk, turn and stand,\n"
+      "Of walkers, K watches the next one and J has the camera free, behind it or about it (dragging turns, "
+      "wheel\n"
+      "or Q and E go nearer or farther); U takes it or gives it back: the arrow keys then walk, turn and "
+      "stand,\n"
       "shift walks fast; X shows what walkers perceive, their paths, both or neither.\n"
       "Examples:\n"
       "  prairie view examples/meadow\n"

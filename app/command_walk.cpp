@@ -66,14 +66,18 @@ struct WalkOptions {
 ReplayPlace replay_place(const std::string& text) {
   const std::string option = "--replay-at";
   const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 2 && parts.size() != 3) throw UsageError(option, text, "x,y[,deg]: metres, and degrees clockwise");
+  if (parts.size() != 2 && parts.size() != 3)
+    throw UsageError(option, text, "x,y[,deg]: metres, and degrees clockwise");
   ReplayPlace place;
-  place.position_m = {number_option(option, parts[0], -kFarthestM, kFarthestM), number_option(option, parts[1], -kFarthestM, kFarthestM)};
-  if (parts.size() == 3) place.turn_rad = -number_option(option, parts[2], -360.0, 360.0) * std::numbers::pi / 180.0;
+  place.position_m = {number_option(option, parts[0], -kFarthestM, kFarthestM),
+                      number_option(option, parts[1], -kFarthestM, kFarthestM)};
+  if (parts.size() == 3)
+    place.turn_rad = -number_option(option, parts[2], -360.0, 360.0) * std::numbers::pi / 180.0;
   return place;
 }
 
-/// Tracks lie where their file says; of GPX without a georeferenced ground the first point lies in the middle.
+/// Tracks lie where their file says; of GPX without a georeferenced ground the first point lies in the
+/// middle.
 void replay(const WalkOptions& options, World& world) {
   std::optional<UtmFrame> frame;
   if (world.geo_reference()) frame = utm_frame_of(*world.geo_reference());
@@ -101,13 +105,15 @@ int walk_headless(const WalkOptions& options, const GlobalOptions& globals, Worl
   load_asked_state(options.state, world);
   advance_to_asked_time(options.start_s, world);
   const double start_s = world.time_s();
-  const double frames_asked = std::max(std::round(duration_s(options, world, path) * options.frames_per_s), 1.0);
+  const double frames_asked =
+      std::max(std::round(duration_s(options, world, path) * options.frames_per_s), 1.0);
   const int frames = static_cast<int>(frames_asked);
   std::optional<Recording> recording;
   if (clip) {
     const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera, world);
-    recording.emplace(*clip, ClipView{path, standing, options.size_px, options.frames_per_s, options.tier, options.samples},
-                      globals, world);
+    recording.emplace(
+        *clip, ClipView{path, standing, options.size_px, options.frames_per_s, options.tier, options.samples},
+        globals, world);
   }
   std::optional<StreamedOutput> table;
   if (!options.trajectories.empty()) table.emplace(options.trajectories);
@@ -134,7 +140,8 @@ int walk_headless(const WalkOptions& options, const GlobalOptions& globals, Worl
   if (clip) clip->finish();
   if (table) table->finish();
   save_asked_state(options.state, world);
-  say_done(fmt::format("{} walkers went on to {:.2f} s", world.walkers().size(), world.time_s()), globals.quiet);
+  say_done(fmt::format("{} walkers went on to {:.2f} s", world.walkers().size(), world.time_s()),
+           globals.quiet);
   return kExitFine;
 }
 
@@ -144,7 +151,8 @@ int walk(const WalkOptions& options, const GlobalOptions& globals) {
   World world = open_world(options.folder, globals, gait);
   if (!options.replay.empty()) replay(options, world);
   if (world.walkers().empty())
-    throw BadInput((options.folder / kSceneFileName).string(), "walkers", "nobody who walks", "a [[walkers]] group, or --replay");
+    throw BadInput((options.folder / kSceneFileName).string(), "walkers", "nobody who walks",
+                   "a [[walkers]] group, or --replay");
   if (options.is_headless()) return walk_headless(options, globals, world);
   load_asked_state(options.state, world);
   advance_to_asked_time(options.start_s, world);
@@ -161,22 +169,33 @@ int walk(const WalkOptions& options, const GlobalOptions& globals) {
 }  // namespace
 
 void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("walk", "Lets a scene's walkers walk, in a window or, with --duration and the like, without");
+  CLI::App* command = app.add_subcommand(
+      "walk", "Lets a scene's walkers walk, in a window or, with --duration and the like, without");
   auto options = std::make_shared<WalkOptions>();
   command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
   command
       ->add_option_function<std::string>(
-          "--duration", [options](const std::string& text) { options->duration_s = number_option("--duration", text, 0.0, kLongestS); },
+          "--duration",
+          [options](const std::string& text) {
+            options->duration_s = number_option("--duration", text, 0.0, kLongestS);
+          },
           "Without a window, for so many seconds (10, the path's, or all of the tracks)")
       ->type_name("S");
-  command->add_option("--trajectories", options->trajectories, "Write where everybody is, each 1/fps s; - is stdout")
+  command
+      ->add_option("--trajectories", options->trajectories,
+                   "Write where everybody is, each 1/fps s; - is stdout")
       ->type_name("FILE.csv");
   CLI::Option* record =
-      command->add_option("--record", options->record, "Draw a clip without a window: a video that ends in .mp4, or a folder of pictures")
+      command
+          ->add_option("--record", options->record,
+                       "Draw a clip without a window: a video that ends in .mp4, or a folder of pictures")
           ->type_name("FILE|FOLDER");
-  CLI::Option* replay = command->add_option("--replay", options->replay,
-                                            "Walkers go along recorded tracks instead: CSV (time_s,id,x_m,y_m), UCY obsmat.txt or GPX")
-                            ->type_name("FILE");
+  CLI::Option* replay =
+      command
+          ->add_option(
+              "--replay", options->replay,
+              "Walkers go along recorded tracks instead: CSV (time_s,id,x_m,y_m), UCY obsmat.txt or GPX")
+          ->type_name("FILE");
   command
       ->add_option_function<std::string>(
           "--replay-at", [options](const std::string& text) { options->replay_at = replay_place(text); },
@@ -184,14 +203,21 @@ void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       ->type_name("x,y[,deg]")
       ->needs(replay);
   command->add_option("--gait", options->gait, "Walk as in this recorded motion")->type_name("FILE.bvh");
-  CLI::Option* camera = command
-                            ->add_option("--camera", options->camera,
-                                         "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
-                            ->type_name("NAME|NUMBERS");
-  command->add_option("--path", options->path, "Where the clip's camera goes, as for record")->type_name("FILE.csv")->needs(record)->excludes(camera);
+  CLI::Option* camera =
+      command
+          ->add_option("--camera", options->camera,
+                       "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
+          ->type_name("NAME|NUMBERS");
+  command->add_option("--path", options->path, "Where the clip's camera goes, as for record")
+      ->type_name("FILE.csv")
+      ->needs(record)
+      ->excludes(camera);
   command
       ->add_option_function<std::string>(
-          "--fps", [options](const std::string& text) { options->frames_per_s = int_option("--fps", text, 1, kMostStepsPerS); },
+          "--fps",
+          [options](const std::string& text) {
+            options->frames_per_s = int_option("--fps", text, 1, kMostStepsPerS);
+          },
           "Frames, and lines of each walker, a second (30)")
       ->type_name("N");
   add_time_option(*command, options->start_s);
@@ -200,11 +226,15 @@ void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chos
   add_tier_option(*command, options->tier);
   add_samples_option(*command, options->samples);
   command->add_flag("--msaa", options->viewer.msaa, "In the window: smooth edges with 4 samples per pixel");
-  command->add_flag("--paused", options->viewer.paused, "In the window: time stands still at first; P lets it go on");
+  command->add_flag("--paused", options->viewer.paused,
+                    "In the window: time stands still at first; P lets it go on");
   // For tests, and for whoever wants a picture of what the window shows.
   command
       ->add_option_function<std::string>(
-          "--frames", [options](const std::string& text) { options->viewer.frames = int_option("--frames", text, 1, kMostFrames); },
+          "--frames",
+          [options](const std::string& text) {
+            options->viewer.frames = int_option("--frames", text, 1, kMostFrames);
+          },
           "Close after so many frames")
       ->group("");
   command->add_option("--screenshot", options->viewer.screenshot, "Save the last picture")->group("");
@@ -214,7 +244,8 @@ void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chos
       "  prairie walk examples/walkers\n"
       "  prairie walk examples/walkers --duration 60 --trajectories walk.csv\n"
       "  prairie walk examples/walkers --record walk.mp4 --duration 8 --samples 4\n"
-      "  prairie walk examples/walkers --replay obsmat.txt --replay-at 60,40,90 --duration 120 --save-state end.state");
+      "  prairie walk examples/walkers --replay obsmat.txt --replay-at 60,40,90 --duration 120 --save-state "
+      "end.state");
   command->callback([options, camera, &globals, &chosen] {
     options->asks_for_camera = camera->count() > 0;
     chosen = [options, &globals] { return walk(*options, globals); };

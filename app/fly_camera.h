@@ -15,7 +15,8 @@ struct Steering {
   bool fast = false;
   double turn_right_px = 0.0;  // mouse movement since the last step
   double turn_up_px = 0.0;
-  double wheel = 0.0;  // notches since the last step, away from the person positive; nothing to who flies or walks
+  double wheel =
+      0.0;  // notches since the last step, away from the person positive; nothing to who flies or walks
 };
 
 class FlyCamera {

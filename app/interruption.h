@@ -1,6 +1,6 @@
 // Ctrl-C at any moment leaves no half-written output: a thread waits for the signal, lets an atomic write
-// that is under way finish, ends the processes that write for this one, removes the temporary files of streamed
-// outputs, and ends the program with 128 + the signal's number.
+// that is under way finish, ends the processes that write for this one, removes the temporary files of
+// streamed outputs, and ends the program with 128 + the signal's number.
 #pragma once
 
 #include <sys/types.h>
@@ -37,8 +37,8 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-/// Registers a process that this one has started, and that an interruption must end before it removes what that
-/// process writes. Ended at the end of its scope, too.
+/// Registers a process that this one has started, and that an interruption must end before it removes what
+/// that process writes. Ended at the end of its scope, too.
 class StartedProcess {
  public:
   explicit StartedProcess(pid_t id);

@@ -113,7 +113,8 @@ void write_example(const NewSceneRequest& request) {
   files.write(kExampleBladeHeightFile, std::span<const std::byte>(encoded(meadow.blade_height)));
   const GridFrame& frame = meadow.ground_m.frame();
   const glm::dvec2 extent_m = frame.spacing_m * glm::dvec2(frame.columns - 1, frame.rows - 1);
-  files.finish(example_scene_text(request.seed, meadow) + walkers_text(request.walkers, meadow.cameras.front(), extent_m));
+  files.finish(example_scene_text(request.seed, meadow) +
+               walkers_text(request.walkers, meadow.cameras.front(), extent_m));
 }
 
 // The stem says what the raster is; the suffix, which readers go by, stays if it is a plain one.

@@ -27,7 +27,7 @@ struct NewSceneRequest {
       height_range_m;                      // of integer height files: heights of 0 and the largest value
   std::optional<double> height_spacing_m;  // of height files without a geo-reference
   std::optional<DensityRequest> density;   // without it, a height file gets a uniform sward
-  std::uint32_t walkers = 0;           // in a group that wanders before the default camera
+  std::uint32_t walkers = 0;               // in a group that wanders before the default camera
   std::uint64_t memory_budget_bytes = 2ull << 30;
 };
 

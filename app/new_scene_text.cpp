@@ -169,13 +169,18 @@ std::string walkers_text(std::uint32_t count, const CameraSpec& camera, glm::dve
   constexpr double kPerM2 = 0.04, kMostPerM2 = 0.8, kLeastRadiusM = 6.0, kFromBorderM = 1.0;
   const double most_radius_m = 0.5 * std::min(extent_m.x, extent_m.y) - kFromBorderM;
   const double radius_m =
-      std::floor(10.0 * std::min(std::max(std::sqrt(count / (kPerM2 * std::numbers::pi)), kLeastRadiusM), most_radius_m)) / 10.0;
+      std::floor(10.0 * std::min(std::max(std::sqrt(count / (kPerM2 * std::numbers::pi)), kLeastRadiusM),
+                                 most_radius_m)) /
+      10.0;
   if (!(count < kMostPerM2 * std::numbers::pi * radius_m * radius_m))
-    throw UsageError("--walkers", fmt::format("{}", count), fmt::format("fewer on {} × {} m", extent_m.x, extent_m.y));
+    throw UsageError("--walkers", fmt::format("{}", count),
+                     fmt::format("fewer on {} × {} m", extent_m.x, extent_m.y));
   const double yaw_rad = camera.yaw_deg * std::numbers::pi / 180.0;
-  const glm::dvec2 ahead_m = camera.position_m + (radius_m + 4.0) * glm::dvec2(std::sin(yaw_rad), std::cos(yaw_rad));
+  const glm::dvec2 ahead_m =
+      camera.position_m + (radius_m + 4.0) * glm::dvec2(std::sin(yaw_rad), std::cos(yaw_rad));
   const glm::dvec2 nearest_m(radius_m + kFromBorderM), farthest_m = extent_m - nearest_m;
-  const glm::dvec2 centre_m = glm::floor(10.0 * glm::clamp(ahead_m, nearest_m, glm::max(farthest_m, nearest_m))) / 10.0;
+  const glm::dvec2 centre_m =
+      glm::floor(10.0 * glm::clamp(ahead_m, nearest_m, glm::max(farthest_m, nearest_m))) / 10.0;
   return fmt::format(R"(
 # Who walks here; `prairie walk` shows them. Behaviours: wander, stroll (about where they start), visit and go (to [[goal]]s).
 [[walkers]]

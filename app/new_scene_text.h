@@ -27,8 +27,8 @@ struct RasterNames {
 std::string raster_scene_text(const NewSceneRequest& request, const RasterNames& names,
                               const std::optional<CameraSpec>& camera);
 
-/// A group of so many who wander before the camera, and a wall about the ground that keeps them in; nothing for none. Throws
-/// UsageError where the ground is too small for them.
+/// A group of so many who wander before the camera, and a wall about the ground that keeps them in; nothing
+/// for none. Throws UsageError where the ground is too small for them.
 std::string walkers_text(std::uint32_t count, const CameraSpec& camera, glm::dvec2 extent_m);
 
 }  // namespace prairie

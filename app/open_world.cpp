@@ -6,7 +6,8 @@
 
 namespace prairie {
 
-World open_world(const std::filesystem::path& folder, const GlobalOptions& globals, std::optional<Gait> gait) {
+World open_world(const std::filesystem::path& folder, const GlobalOptions& globals,
+                 std::optional<Gait> gait) {
   WorldOptions options;
   options.gait = std::move(gait);
   options.seed = globals.seed;

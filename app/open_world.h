@@ -11,6 +11,7 @@ namespace prairie {
 
 /// Warnings about the maps go to stderr. Throws BadInput, OverBudget.
 /// `gait`: of its walkers, instead of the one that comes along.
-World open_world(const std::filesystem::path& folder, const GlobalOptions& globals, std::optional<Gait> gait = {});
+World open_world(const std::filesystem::path& folder, const GlobalOptions& globals,
+                 std::optional<Gait> gait = {});
 
 }  // namespace prairie

@@ -134,7 +134,8 @@ glm::dvec3 place_option(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 3) throw UsageError(option, text, "three numbers x,y,z in metres");
   glm::dvec3 place_m;
-  for (int axis = 0; axis < 3; ++axis) place_m[axis] = number_option(option, parts[axis], -kFarthestM, kFarthestM);
+  for (int axis = 0; axis < 3; ++axis)
+    place_m[axis] = number_option(option, parts[axis], -kFarthestM, kFarthestM);
   return place_m;
 }
 

@@ -127,11 +127,11 @@ int Overlay::draw(const OverlayText& text, OverlaySliders& sliders) {
                    text.statistics.plan_ms, text.camera.size_px.x, text.camera.size_px.y, text.tier,
                    text.tinted ? ", tinted" : ""));
   statistics_lines(text.statistics);
-  line(fmt::format("{}   {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}", text.movement,
-                   text.camera.eye_m.x, text.camera.eye_m.y, text.camera.eye_m.z,
-                   glm::degrees(text.camera.yaw_rad), glm::degrees(text.camera.pitch_rad)));
-  line(fmt::format("{:.2f} s{}   step {:.1f} ms   {} blades touched", text.time_s, text.paused ? ", paused" : "",
-                   text.steps_ms, grouped(text.touched_blades)));
+  line(fmt::format("{}   {:.2f},{:.2f},{:.2f},{:.1f},{:.1f}", text.movement, text.camera.eye_m.x,
+                   text.camera.eye_m.y, text.camera.eye_m.z, glm::degrees(text.camera.yaw_rad),
+                   glm::degrees(text.camera.pitch_rad)));
+  line(fmt::format("{:.2f} s{}   step {:.1f} ms   {} blades touched", text.time_s,
+                   text.paused ? ", paused" : "", text.steps_ms, grouped(text.touched_blades)));
   if (!text.walkers.empty()) line(text.walkers);
   quality_slider(sliders.quality);
   wind_sliders(sliders.wind);

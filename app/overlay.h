@@ -1,5 +1,5 @@
-// The viewer's text over the picture: times, blades and triangles per tier, position; sliders for the quality and the wind,
-// and buttons that stand for keys (Dear ImGui).
+// The viewer's text over the picture: times, blades and triangles per tier, position; sliders for the quality
+// and the wind, and buttons that stand for keys (Dear ImGui).
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct OverlayText {
   bool has_cart = false;
   FieldOverlay field = FieldOverlay::kNone;
   std::string walkers;  // lines about them; none where nobody walks
-  std::string notice;  // such as the name of the last screenshot
+  std::string notice;   // such as the name of the last screenshot
 };
 
 struct OverlaySliders {
@@ -44,8 +44,8 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// Draws into the window's framebuffer; `sliders` follow the mouse. Returns the key (GLFW's code) whose button was pressed,
-  /// or 0.
+  /// Draws into the window's framebuffer; `sliders` follow the mouse. Returns the key (GLFW's code) whose
+  /// button was pressed, or 0.
   int draw(const OverlayText& text, OverlaySliders& sliders);
 
   /// Whether the mouse is on the overlay, or was when its button went down.

@@ -1,4 +1,5 @@
-// The options that all commands share that draw pictures without a window. What they set must live as long as the command.
+// The options that all commands share that draw pictures without a window. What they set must live as long as
+// the command.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -82,12 +82,24 @@ void Play::move_driven(const CartControls& controls, double dt_s) {
 
 void Play::press(int key, const Camera& camera) {
   switch (key) {
-    case GLFW_KEY_P: toggle_pause(); break;
-    case GLFW_KEY_N: step_once(); break;
-    case GLFW_KEY_B: send_gust(camera); break;
-    case GLFW_KEY_V: send_tornado(camera); break;
-    case GLFW_KEY_R: roll_stone(camera); break;
-    case GLFW_KEY_C: toggle_cart(camera); break;
+    case GLFW_KEY_P:
+      toggle_pause();
+      break;
+    case GLFW_KEY_N:
+      step_once();
+      break;
+    case GLFW_KEY_B:
+      send_gust(camera);
+      break;
+    case GLFW_KEY_V:
+      send_tornado(camera);
+      break;
+    case GLFW_KEY_R:
+      roll_stone(camera);
+      break;
+    case GLFW_KEY_C:
+      toggle_cart(camera);
+      break;
     default: {
       WindControls wind = wind_;
       apply_wind_key(key, wind);

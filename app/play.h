@@ -1,5 +1,5 @@
-// The world at a window, which moves, and what a person does in it: pauses time, sets the wind, sends gusts and tornadoes,
-// lets stones roll and drives a cart. Knows neither windows nor OpenGL.
+// The world at a window, which moves, and what a person does in it: pauses time, sets the wind, sends gusts
+// and tornadoes, lets stones roll and drives a cart. Knows neither windows nor OpenGL.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ class Play {
   /// The same, and lets it go on for a frame.
   void advance(double passed_s, const CartControls& controls, const Camera& camera);
 
-  /// What pressing `key` (GLFW's code) does: P pauses time, N steps it once meanwhile, [ ] , . ; ' set the wind, B sends a
-  /// gust, V a tornado, R lets a stone roll, C takes a cart or leaves it.
+  /// What pressing `key` (GLFW's code) does: P pauses time, N steps it once meanwhile, [ ] , . ; ' set the
+  /// wind, B sends a gust, V a tornado, R lets a stone roll, C takes a cart or leaves it.
   void press(int key, const Camera& camera);
   void toggle_pause() { clock_.toggle_pause(); }
   void step_once() { clock_.step_once(); }

@@ -26,7 +26,8 @@ struct ClipView {
 
 class Recording {
  public:
-  /// Begins the clip, which outlives it, as does the world. Throws what Clip, HeadlessContext and Renderer throw.
+  /// Begins the clip, which outlives it, as does the world. Throws what Clip, HeadlessContext and Renderer
+  /// throw.
   Recording(Clip& clip, const ClipView& view, const GlobalOptions& globals, const World& world);
 
   /// Through which a frame is seen, from 0 on.

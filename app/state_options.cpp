@@ -14,9 +14,12 @@
 namespace prairie {
 
 void add_state_options(CLI::App& command, StateOptions& options) {
-  command.add_option("--load-state", options.load, "Begin with a state that --save-state wrote for the same scene")
+  command
+      .add_option("--load-state", options.load,
+                  "Begin with a state that --save-state wrote for the same scene")
       ->type_name("FILE");
-  command.add_option("--save-state", options.save, "Write the state of the time that is reached, to go on from")
+  command
+      .add_option("--save-state", options.save, "Write the state of the time that is reached, to go on from")
       ->type_name("FILE");
 }
 
@@ -33,7 +36,8 @@ void save_asked_state(const StateOptions& options, const World& world) {
 void add_time_option(CLI::App& command, std::optional<double>& time_s) {
   command
       .add_option_function<std::string>(
-          "--time", [&time_s](const std::string& text) { time_s = number_option("--time", text, 0.0, kMaxTimeS); },
+          "--time",
+          [&time_s](const std::string& text) { time_s = number_option("--time", text, 0.0, kMaxTimeS); },
           "Seconds after the scene's beginning (0, or the loaded state's)")
       ->type_name("S");
 }

@@ -22,12 +22,14 @@ std::string trajectory_rows(const World& world) {
     if (!world.is_present(n)) continue;
     const Walker& walker = walkers[n];
     const glm::dvec2 f = walker.forward;
-    fmt::format_to(out, "{:.6f},{},{:.6f},{:.6f},{:.4f},{:.6f},{:.4f},", world.time_s(), world.walker_traits()[n].id,
-                   walker.position_m.x, walker.position_m.y, world.meadow().ground.height_m(walker.position_m), std::atan2(f.y, f.x),
+    fmt::format_to(out, "{:.6f},{},{:.6f},{:.6f},{:.4f},{:.6f},{:.4f},", world.time_s(),
+                   world.walker_traits()[n].id, walker.position_m.x, walker.position_m.y,
+                   world.meadow().ground.height_m(walker.position_m), std::atan2(f.y, f.x),
                    walker.speed_m_per_s);
     if (n < percepts.size() && percepts[n].kind != Percept::Kind::kNothing) {
       const glm::dvec2 t = percepts[n].toward;
-      fmt::format_to(out, "{:.6f},{:.6f}", percepts[n].distance_m, std::atan2(f.x * t.y - f.y * t.x, glm::dot(f, t)));
+      fmt::format_to(out, "{:.6f},{:.6f}", percepts[n].distance_m,
+                     std::atan2(f.x * t.y - f.y * t.x, glm::dot(f, t)));
     } else {
       text += ',';
     }

@@ -25,11 +25,13 @@ namespace {
 std::vector<std::string> ffmpeg_command(const std::filesystem::path& output, const VideoFormat& format) {
   std::vector<std::string> words{"ffmpeg", "-hide_banner", "-loglevel", "error", "-y"};
   const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
-  add({"-f", "rawvideo", "-pix_fmt", "rgb24", "-s", fmt::format("{}x{}", format.size_px.x, format.size_px.y)});
+  add({"-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
+       fmt::format("{}x{}", format.size_px.x, format.size_px.y)});
   add({"-framerate", std::to_string(format.frames_per_s), "-i", "pipe:0"});
   // Colours as HD video has them, and said so: players guess otherwise, each in its own way.
   add({"-vf", "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int"});
-  add({"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"});
+  add({"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range",
+       "tv"});
   add({"-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
   if (format.threads) add({"-threads", std::to_string(*format.threads)});
   // "file:" so that a colon in a name, or a dash before it, is no more than that.
@@ -71,7 +73,8 @@ std::string last_line_of(int descriptor) {
 VideoFile::VideoFile(const std::filesystem::path& path, const VideoFormat& format)
     : path_(path), output_(path), complaints_(memfd_create("ffmpeg", MFD_CLOEXEC)) {
   const auto failed = [&](int error_number) {
-    return OutputFailure(path_.string(), "ffmpeg", std::strerror(error_number), "a program that can be started");
+    return OutputFailure(path_.string(), "ffmpeg", std::strerror(error_number),
+                         "a program that can be started");
   };
   if (!complaints_.is_open()) throw failed(errno);
   // A socket rather than a pipe: writing to one whose reader has gone can be kept from raising a signal.
@@ -115,7 +118,8 @@ void VideoFile::fail(int status) {
   const std::string complaint = last_line_of(complaints_.get());
   const std::string end = WIFSIGNALED(status) ? fmt::format("its end by signal {}", WTERMSIG(status))
                                               : fmt::format("its exit code {}", WEXITSTATUS(status));
-  throw OutputFailure(path_.string(), "ffmpeg", complaint.empty() ? end : fmt::format("{} ({})", complaint, end),
+  throw OutputFailure(path_.string(), "ffmpeg",
+                      complaint.empty() ? end : fmt::format("{} ({})", complaint, end),
                       "a clip that it can write");
 }
 

@@ -1,5 +1,5 @@
-// A clip as an MP4 file (H.264), made by the program ffmpeg, which frames are sent to as they are drawn. Whole or not there,
-// like all outputs.
+// A clip as an MP4 file (H.264), made by the program ffmpeg, which frames are sent to as they are drawn.
+// Whole or not there, like all outputs.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ class VideoFile {
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  /// A frame: red, green and blue of each pixel, sRGB, rows from the top. Throws OutputFailure, with ffmpeg's own words, if
-  /// it has given up.
+  /// A frame: red, green and blue of each pixel, sRGB, rows from the top. Throws OutputFailure, with ffmpeg's
+  /// own words, if it has given up.
   void write(std::span<const std::uint8_t> srgb);
   /// The last call: lets ffmpeg finish and puts the clip in place.
   void finish();
@@ -38,7 +38,7 @@ class VideoFile {
 
   std::filesystem::path path_;
   StreamedOutput output_;
-  FileDescriptor complaints_;  // what ffmpeg writes to stderr
+  FileDescriptor complaints_;             // what ffmpeg writes to stderr
   std::optional<FileDescriptor> frames_;  // our end of what ffmpeg reads
   std::optional<StartedProcess> ffmpeg_;
 };

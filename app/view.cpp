@@ -142,7 +142,8 @@ class Viewer {
   std::string walkers_text() const {
     std::string text = walkers_line(world_);
     if (text.empty()) return text;
-    if (walker_overlay_ != WalkerOverlay::kNone) text += std::string("   ") + walker_overlay_name(walker_overlay_);
+    if (walker_overlay_ != WalkerOverlay::kNone)
+      text += std::string("   ") + walker_overlay_name(walker_overlay_);
     if (camera_.watched()) text += "\n" + watched_walker_line(world_, *camera_.watched(), percepts_);
     return text;
   }

@@ -30,7 +30,8 @@ double from_half_turn(double angle_rad) {
 
 glm::dvec3 chest_m(const World& world, std::size_t walker) {
   const glm::dvec2 place_m = world.walkers()[walker].position_m;
-  return {place_m, height_m(world.meadow().ground, place_m) + kChestOfHeight * world.walker_traits()[walker].height_m};
+  return {place_m,
+          height_m(world.meadow().ground, place_m) + kChestOfHeight * world.walker_traits()[walker].height_m};
 }
 
 double yaw_rad(glm::dvec2 forward) {
@@ -74,7 +75,8 @@ WalkerCamera::WalkerCamera(const Camera& start, const World& world, std::optiona
   if (!world.is_present(*follow)) return;
   mode_ = CameraMode::kFollow;
   wanted_distance_m_ = kFirstDistanceM;
-  boom_ = {chest_m(world, *follow), yaw_rad(world.walkers()[*follow].forward), kFollowPitchRad, kFirstDistanceM};
+  boom_ = {chest_m(world, *follow), yaw_rad(world.walkers()[*follow].forward), kFollowPitchRad,
+           kFirstDistanceM};
   look_along_boom(world);
 }
 

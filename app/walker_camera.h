@@ -1,9 +1,9 @@
-// The viewer's camera where somebody walks: free (app/fly_camera.h), behind a walker, or turning about it. Knows
-// nothing of windows.
+// The viewer's camera where somebody walks: free (app/fly_camera.h), behind a walker, or turning about it.
+// Knows nothing of windows.
 //
-// Bound to a walker it looks at the walker's chest from a distance, heading and pitch of its own; all of them approach
-// what is wanted exponentially, so that it glides from wherever it was and never jumps. The ground lifts it where it
-// would be below.
+// Bound to a walker it looks at the walker's chest from a distance, heading and pitch of its own; all of them
+// approach what is wanted exponentially, so that it glides from wherever it was and never jumps. The ground
+// lifts it where it would be below.
 #pragma once
 
 #include <cstddef>
@@ -39,11 +39,12 @@ class WalkerCamera {
 
   /// Watches the next walker that is present, at first the one nearest to the middle of the view.
   void watch_next(const World& world);
-  /// From free to behind the walker, about it, and free again where it is then. Watches somebody if nobody was.
+  /// From free to behind the walker, about it, and free again where it is then. Watches somebody if nobody
+  /// was.
   void change_mode(const World& world);
 
-  /// Moves for `dt_s` seconds. About a walker, dragging turns; bound to one, the wheel and `up` change the distance,
-  /// and other directions do nothing.
+  /// Moves for `dt_s` seconds. About a walker, dragging turns; bound to one, the wheel and `up` change the
+  /// distance, and other directions do nothing.
   void move(const Steering& steering, double dt_s, const World& world);
 
  private:

@@ -43,8 +43,8 @@ CircleDirections circle_directions() {
   return directions;
 }
 
-void add_circle(const HeightField& ground, glm::dvec2 centre_m, double radius_m, const CircleDirections& directions,
-                std::vector<LineSegment>& lines) {
+void add_circle(const HeightField& ground, glm::dvec2 centre_m, double radius_m,
+                const CircleDirections& directions, std::vector<LineSegment>& lines) {
   glm::dvec3 last_m = over_ground_m(ground, centre_m + radius_m * directions.back());
   for (const glm::dvec2 direction : directions) {
     const glm::dvec3 next_m = over_ground_m(ground, centre_m + radius_m * direction);
@@ -60,10 +60,10 @@ glm::vec4 path_color(double age_s) {
   return color;
 }
 
-/// Pieces of the paths of those shown who are in both samples. A walker is never far from its last sample: pieces are
-/// straight.
-void add_pieces(std::span<const WalkerTrails::Place> from, std::span<const WalkerTrails::Place> to, glm::vec4 color,
-                std::span<const std::uint32_t> shown, std::vector<LineSegment>& lines) {
+/// Pieces of the paths of those shown who are in both samples. A walker is never far from its last sample:
+/// pieces are straight.
+void add_pieces(std::span<const WalkerTrails::Place> from, std::span<const WalkerTrails::Place> to,
+                glm::vec4 color, std::span<const std::uint32_t> shown, std::vector<LineSegment>& lines) {
   constexpr glm::dvec3 kAbove(0.0, 0.0, kLineAboveGroundM);
   auto before = from.begin();
   auto chosen = shown.begin();
@@ -114,7 +114,8 @@ bool shows_paths(WalkerOverlay overlay) {
   return overlay == WalkerOverlay::kPaths || overlay == WalkerOverlay::kBoth;
 }
 
-std::vector<LineSegment> sensor_lines(const World& world, std::span<const Percept> percepts, glm::dvec3 eye_m) {
+std::vector<LineSegment> sensor_lines(const World& world, std::span<const Percept> percepts,
+                                      glm::dvec3 eye_m) {
   std::vector<LineSegment> lines;
   if (percepts.empty()) return lines;
   const HeightField& ground = world.meadow().ground;

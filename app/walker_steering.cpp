@@ -7,8 +7,8 @@
 namespace prairie {
 namespace {
 
-// Cosine and sine of the angle to where a turning walker is told to look, some 53°: wide enough to turn at full rate,
-// and it still walks while it turns.
+// Cosine and sine of the angle to where a turning walker is told to look, some 53°: wide enough to turn at
+// full rate, and it still walks while it turns.
 constexpr double kAhead = 0.6, kAside = 0.8;
 
 }  // namespace
@@ -21,7 +21,8 @@ MotorCommand command_of(const WalkerControls& controls, const Walker& walker, co
     command.heading = kAhead * walker.forward + (controls.left > 0.0 ? kAside : -kAside) * left;
   }
   if (controls.ahead > 0.0)
-    command.speed_m_per_s = controls.fast ? std::max(kFastWalkMPerS, traits.speed_m_per_s) : traits.speed_m_per_s;
+    command.speed_m_per_s =
+        controls.fast ? std::max(kFastWalkMPerS, traits.speed_m_per_s) : traits.speed_m_per_s;
   return command;
 }
 
@@ -49,7 +50,8 @@ void WalkerSteering::release() {
 void WalkerSteering::steer(const WalkerControls& controls) {
   if (!steered_) return;
   const Crowd& crowd = world_.crowd();
-  world_.crowd().steer(*steered_, command_of(controls, crowd.walkers()[*steered_], crowd.traits()[*steered_]));
+  world_.crowd().steer(*steered_,
+                       command_of(controls, crowd.walkers()[*steered_], crowd.traits()[*steered_]));
 }
 
 }  // namespace prairie

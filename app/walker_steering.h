@@ -1,5 +1,5 @@
-// A walker that the person at the window steers, one at a time; all others go on deciding for themselves. Knows nothing
-// of windows.
+// A walker that the person at the window steers, one at a time; all others go on deciding for themselves.
+// Knows nothing of windows.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Where walkers were in the last minute, for lines behind them. Kept are only those next to the eye, so that it takes a
-// few megabytes at most, however many walk.
+// Where walkers were in the last minute, for lines behind them. Kept are only those next to the eye, so that
+// it takes a few megabytes at most, however many walk.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +38,8 @@ class WalkerTrails {
     std::vector<Place> places;
   };
 
-  /// Takes a sample of whom the eye has around it where the last one is old enough, and drops those that are too old;
-  /// all of them where time went back.
+  /// Takes a sample of whom the eye has around it where the last one is old enough, and drops those that are
+  /// too old; all of them where time went back.
   void follow(const World& world, glm::dvec3 eye_m);
 
   /// From the oldest on.

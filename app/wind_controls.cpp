@@ -42,13 +42,26 @@ WindControls wind_controls_of(const Scene& scene, const Wind& wind) {
 void apply_wind_key(int key, WindControls& controls) {
   const auto add = [](float& value, float by, float most) { value = std::clamp(value + by, 0.0f, most); };
   switch (key) {
-    case GLFW_KEY_LEFT_BRACKET: add(controls.speed_m_per_s, -kSpeedStep, WindControls::kMostSpeedMPerS); break;
-    case GLFW_KEY_RIGHT_BRACKET: add(controls.speed_m_per_s, kSpeedStep, WindControls::kMostSpeedMPerS); break;
-    case GLFW_KEY_COMMA: controls.heading_deg = turned(controls.heading_deg, -kHeadingStep); break;
-    case GLFW_KEY_PERIOD: controls.heading_deg = turned(controls.heading_deg, kHeadingStep); break;
-    case GLFW_KEY_SEMICOLON: add(controls.turbulence, -kTurbulenceStep, WindControls::kMostTurbulence); break;
-    case GLFW_KEY_APOSTROPHE: add(controls.turbulence, kTurbulenceStep, WindControls::kMostTurbulence); break;
-    default: break;
+    case GLFW_KEY_LEFT_BRACKET:
+      add(controls.speed_m_per_s, -kSpeedStep, WindControls::kMostSpeedMPerS);
+      break;
+    case GLFW_KEY_RIGHT_BRACKET:
+      add(controls.speed_m_per_s, kSpeedStep, WindControls::kMostSpeedMPerS);
+      break;
+    case GLFW_KEY_COMMA:
+      controls.heading_deg = turned(controls.heading_deg, -kHeadingStep);
+      break;
+    case GLFW_KEY_PERIOD:
+      controls.heading_deg = turned(controls.heading_deg, kHeadingStep);
+      break;
+    case GLFW_KEY_SEMICOLON:
+      add(controls.turbulence, -kTurbulenceStep, WindControls::kMostTurbulence);
+      break;
+    case GLFW_KEY_APOSTROPHE:
+      add(controls.turbulence, kTurbulenceStep, WindControls::kMostTurbulence);
+      break;
+    default:
+      break;
   }
 }
 

@@ -19,7 +19,8 @@ struct WindControls {
 /// What the scene says; of a measured wind, its velocity at the beginning.
 WindControls wind_controls_of(const Scene& scene, const Wind& wind);
 
-/// What pressing `key` (GLFW's code) changes: [ and ] the speed, comma and full stop the heading, ; and ' the turbulence.
+/// What pressing `key` (GLFW's code) changes: [ and ] the speed, comma and full stop the heading, ; and ' the
+/// turbulence.
 void apply_wind_key(int key, WindControls& controls);
 
 /// From now on that wind blows; its turbulence drifts on from where it is.

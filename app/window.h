@@ -36,8 +36,8 @@ class Window {
   void close();
   void show_frame();
 
-  /// What the held keys, the dragged mouse and its wheel ask for since the last call. Where `mouse_is_taken`, by what
-  /// lies over the picture, no new drag begins and the wheel turns nothing.
+  /// What the held keys, the dragged mouse and its wheel ask for since the last call. Where `mouse_is_taken`,
+  /// by what lies over the picture, no new drag begins and the wheel turns nothing.
   Steering steering(bool mouse_is_taken);
   /// What the held arrow keys ask of a cart or a walker.
   CartControls cart_controls() const;

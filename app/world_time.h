@@ -16,8 +16,8 @@ int steps_in(double interval_s);
 /// Steps the world to this time in even steps that end there; not at all where that has passed.
 void advance_to(World& world, double time_s);
 
-/// The place on the ground around which a camera sees moving grass: below its eye, or for one that looks down from afar in
-/// parallel projection, the middle of what it sees.
+/// The place on the ground around which a camera sees moving grass: below its eye, or for one that looks down
+/// from afar in parallel projection, the middle of what it sees.
 glm::dvec2 watched_place_m(const Camera& camera, const HeightField& ground);
 
 /// The world is seen through this camera from now on.

@@ -21,18 +21,21 @@ std::vector<Measurement> bench_planting_gpu(const BenchOptions& options);
 /// Milliseconds, median, of a step in which 1000 bodies tread.
 std::vector<Measurement> bench_treading(const BenchOptions& options);
 
-/// Milliseconds, median, in which 64 × 64 nodes of wind are filled: mean, noise, a gust, a tornado and a breeze.
+/// Milliseconds, median, in which 64 × 64 nodes of wind are filled: mean, noise, a gust, a tornado and a
+/// breeze.
 std::vector<Measurement> bench_wind_nodes(const BenchOptions& options);
 
-/// Pairs of boxes per second whose distance and nearest points are told, from cold and from a cache while they move
-/// slowly, medians of interleaved rounds; the same of FCL's two solvers, and how many times as many we tell as the faster.
+/// Pairs of boxes per second whose distance and nearest points are told, from cold and from a cache while
+/// they move slowly, medians of interleaved rounds; the same of FCL's two solvers, and how many times as many
+/// we tell as the faster.
 std::vector<Measurement> bench_gjk(const BenchOptions& options);
 
-/// Milliseconds, median, of a step of 1/30 s of 1000 and of 10 000 walkers at 0.04 per m², with what they perceive, decide and
-/// tread.
+/// Milliseconds, median, of a step of 1/30 s of 1000 and of 10 000 walkers at 0.04 per m², with what they
+/// perceive, decide and tread.
 std::vector<Measurement> bench_walker_steps(const BenchOptions& options);
 
-/// What 200 walkers in view add to a frame of the walk of `scale`, their step included, frame by frame in turn.
+/// What 200 walkers in view add to a frame of the walk of `scale`, their step included, frame by frame in
+/// turn.
 std::vector<Measurement> bench_walker_frames(const BenchOptions& options);
 
 // A walk over a square kilometre of a billion blades (bench/scale_scene.h):

@@ -47,7 +47,8 @@ std::vector<Measurement> bench_planting_gpu(const BenchOptions& options) {
   for (int round = 0; round < kRounds; ++round) {
     const auto start = std::chrono::steady_clock::now();
     planting.plant();
-    rounds.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() / blades);
+    rounds.push_back(
+        std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() / blades);
   }
   return {{"planting.gpu_ns_per_blade", median(rounds)}};
 }

@@ -4,8 +4,8 @@
 
 #include "bench/benches.h"
 #include "bench/scale_folder.h"
-#include "bench/walking_eye.h"
 #include "bench/timing.h"
+#include "bench/walking_eye.h"
 #include "render/context.h"
 
 namespace prairie {

@@ -10,8 +10,8 @@
 #include "bench/scale_limit.h"
 #include "bench/scale_probe.h"
 #include "bench/scale_shares.h"
-#include "bench/walking_eye.h"
 #include "bench/timing.h"
+#include "bench/walking_eye.h"
 #include "render/context.h"
 
 namespace prairie {
@@ -46,7 +46,8 @@ void measure_walk(WalkingEye& walker, const OffscreenTarget& target, const Bench
   tell_times("probe", probe_ms, *options.details);
 }
 
-void count_blades(const WalkingEye& walker, const BenchOptions& options, std::vector<Measurement>& measurements) {
+void count_blades(const WalkingEye& walker, const BenchOptions& options,
+                  std::vector<Measurement>& measurements) {
   const FrameStatistics& statistics = walker.statistics();
   measurements.push_back({"scale.blades_in_scene", expected_blades(walker.world())});
   measurements.push_back(

@@ -1,5 +1,6 @@
-// Table 1 of B11: a square of 280 m with a million blades, drawn still (A), in wind (B), and in wind with things that roll
-// through it and blades that move by themselves around them (C). Frame by frame in turn, what moves included.
+// Table 1 of B11: a square of 280 m with a million blades, drawn still (A), in wind (B), and in wind with
+// things that roll through it and blades that move by themselves around them (C). Frame by frame in turn,
+// what moves included.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -61,7 +62,10 @@ class Column {
   void step(int frame, const OffscreenTarget& target) {
     const auto start = std::chrono::steady_clock::now();
     double step_ms = 0.0;
-    stages_ = renderer_.draw(camera_, {}, target.framebuffer(), [&] { step_ms = elapsed_ms([&] { world_.step(kStepS); }); }).gpu_times;
+    stages_ = renderer_
+                  .draw(camera_, {}, target.framebuffer(),
+                        [&] { step_ms = elapsed_ms([&] { world_.step(kStepS); }); })
+                  .gpu_times;
     glFinish();
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
     if (frame < 0) return;

@@ -1,5 +1,5 @@
-// Whether borders between tiers can be seen: the camera stands still while the eye for which tiers are chosen walks away in
-// steps of 5 cm, so that a stretch of ground goes through the whole of a band.
+// Whether borders between tiers can be seen: the camera stands still while the eye for which tiers are chosen
+// walks away in steps of 5 cm, so that a stretch of ground goes through the whole of a band.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,13 +25,14 @@ struct Border {
   glm::dvec2 extent_m;
 };
 
-// Of quality medium; each stretch of ground lies before the band in the first frame and behind it in the last, with all the
-// tiles (of 4 m) or quarters of cells (1 m) that it touches.
+// Of quality medium; each stretch of ground lies before the band in the first frame and behind it in the
+// last, with all the tiles (of 4 m) or quarters of cells (1 m) that it touches.
 constexpr Border kBorders[] = {{"spline", 1.7, 3.4, 4.4, -1.5, 1.5, {16.0, 30.0}},
                                {"strip", 1.7, 12.0, 17.0, -7.0, 7.0, {32.0, 60.0}},
                                {"flat", 12.0, 96.0, 128.0, -34.0, 34.0, {48.0, 200.0}}};
 
-// From the horizon down to a little before the stretch of ground: the tiers' eye does not walk through the picture.
+// From the horizon down to a little before the stretch of ground: the tiers' eye does not walk through the
+// picture.
 Camera camera_of(const Border& border, const TierScene& scene) {
   constexpr int kWidthPx = 200;
   const Camera wide = tier_camera(scene, border.eye_height_m, {kWidthPx, kWidthPx});
@@ -68,10 +69,12 @@ std::vector<Measurement> measure(const Border& border, const BenchOptions& optio
     if (options.details) {
       const auto blocks_wide = static_cast<std::size_t>(camera.size_px.x / kBlockPx);
       *options.details << fmt::format(
-          "{:<30} {:<8} step {:.4f} (to {:.2f} m, block {}, {}) median {:.4f} ratio {:.2f} cover {:.3f}..{:.3f}\n",
+          "{:<30} {:<8} step {:.4f} (to {:.2f} m, block {}, {}) median {:.4f} ratio {:.2f} cover "
+          "{:.3f}..{:.3f}\n",
           tier_scene.name, border.key, steps.largest,
-          border.from_m + kStepM * static_cast<double>(steps.largest_frame), steps.largest_block % blocks_wide,
-          steps.largest_block / blocks_wide, steps.median, steps.ratio, least_cover, most_cover);
+          border.from_m + kStepM * static_cast<double>(steps.largest_frame),
+          steps.largest_block % blocks_wide, steps.largest_block / blocks_wide, steps.median, steps.ratio,
+          least_cover, most_cover);
     }
     worst.largest = std::max(worst.largest, steps.largest);
     worst.ratio = std::max(worst.ratio, steps.ratio);
@@ -84,8 +87,14 @@ std::vector<Measurement> measure(const Border& border, const BenchOptions& optio
 
 }  // namespace
 
-std::vector<Measurement> bench_spline_border(const BenchOptions& options) { return measure(kBorders[0], options); }
-std::vector<Measurement> bench_strip_border(const BenchOptions& options) { return measure(kBorders[1], options); }
-std::vector<Measurement> bench_flat_border(const BenchOptions& options) { return measure(kBorders[2], options); }
+std::vector<Measurement> bench_spline_border(const BenchOptions& options) {
+  return measure(kBorders[0], options);
+}
+std::vector<Measurement> bench_strip_border(const BenchOptions& options) {
+  return measure(kBorders[1], options);
+}
+std::vector<Measurement> bench_flat_border(const BenchOptions& options) {
+  return measure(kBorders[2], options);
+}
 
 }  // namespace prairie

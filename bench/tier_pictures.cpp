@@ -1,5 +1,5 @@
-// Whether tiers agree: each tier, at the distance at which it gives way to the next, against the all-3D picture of the same
-// grass, both with 16 samples a pixel.
+// Whether tiers agree: each tier, at the distance at which it gives way to the next, against the all-3D
+// picture of the same grass, both with 16 samples a pixel.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +57,8 @@ const std::vector<View>& views() {
   return all;
 }
 
-Disagreement compare(const Picture& reference, const Picture& picture, const PixelRect& rect, std::ostream* details) {
+Disagreement compare(const Picture& reference, const Picture& picture, const PixelRect& rect,
+                     std::ostream* details) {
   const LinearImage wanted{reference.width, reference.height, reference.linear_rgb};
   const LinearImage found{picture.width, picture.height, picture.linear_rgb};
   Disagreement result;
@@ -67,13 +68,14 @@ Disagreement compare(const Picture& reference, const Picture& picture, const Pix
   result.cover = std::abs(cover);
   std::string textures;
   for (const int block_px : {4, 8, 16}) {
-    const double ratio = luminance_deviation(found, rect, block_px) / luminance_deviation(wanted, rect, block_px);
+    const double ratio =
+        luminance_deviation(found, rect, block_px) / luminance_deviation(wanted, rect, block_px);
     result.texture = std::max(result.texture, std::abs(ratio - 1.0));
     textures += fmt::format(" {:.2f} of {:.4f}", ratio, luminance_deviation(wanted, rect, block_px));
   }
   if (details) {
-    *details << fmt::format("color {:+.3f} {:+.3f} {:+.3f}  cover {:+.3f} of {:.3f}  texture{}\n", error.x, error.y,
-                            error.z, cover, mean_cover(reference, rect), textures);
+    *details << fmt::format("color {:+.3f} {:+.3f} {:+.3f}  cover {:+.3f} of {:.3f}  texture{}\n", error.x,
+                            error.y, error.z, cover, mean_cover(reference, rect), textures);
   }
   return result;
 }
@@ -103,8 +105,8 @@ std::vector<Measurement> bench_tier_pictures(const BenchOptions& options) {
         const int bottom = std::min(row_of_ground(camera, view.eye_height_m, band.near_m), view.size_px.y);
         if (options.details)
           *options.details << fmt::format("{:<30} {:<8} {:5.1f} m  ", tier_scene.name, band.key, band.near_m);
-        const Disagreement found = compare(reference, pictures.at(band.tier), {0, top, view.size_px.x, bottom - top},
-                                           options.details);
+        const Disagreement found = compare(reference, pictures.at(band.tier),
+                                           {0, top, view.size_px.x, bottom - top}, options.details);
         Disagreement& sum = worst[band.key];
         sum.color = std::max(sum.color, found.color);
         sum.cover = std::max(sum.cover, found.cover);

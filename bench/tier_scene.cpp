@@ -81,7 +81,8 @@ std::vector<TierScene> tier_scenes(glm::dvec2 extent_m) {
     for (const double density_per_m2 : kind.densities_per_m2) {
       for (const bool is_low_sun : {false, true}) {
         TierScene tier;
-        tier.name = fmt::format("{} {} {}", kind.name, density_per_m2, is_low_sun ? "low sun ahead" : "high sun behind");
+        tier.name = fmt::format("{} {} {}", kind.name, density_per_m2,
+                                is_low_sun ? "low sun ahead" : "high sun behind");
         tier.is_middle = density_per_m2 == kind.densities_per_m2[1] && !is_low_sun;
         tier.scene.extent_m = extent_m;
         tier.scene.lod.blade_distance_m = 128.0;
@@ -108,7 +109,8 @@ Camera tier_camera(const TierScene& scene, double eye_height_m, glm::ivec2 size_
 }
 
 int row_of_ground(const Camera& camera, double eye_height_m, double distance_m) {
-  return static_cast<int>(std::lround(0.5 * camera.size_px.y + eye_height_m / (distance_m * camera.pixel_m())));
+  return static_cast<int>(
+      std::lround(0.5 * camera.size_px.y + eye_height_m / (distance_m * camera.pixel_m())));
 }
 
 double mean_cover(const Picture& picture, const PixelRect& rect) {

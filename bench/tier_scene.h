@@ -20,8 +20,8 @@ struct TierScene {
 /// `extent_m`: of the sward.
 std::vector<TierScene> tier_scenes(glm::dvec2 extent_m);
 
-/// A camera over the southern border of the sward that looks north along the horizon. Its pixels are those of 600
-/// rows over 60°, for which the tiers' distances are meant, whatever its size.
+/// A camera over the southern border of the sward that looks north along the horizon. Its pixels are those of
+/// 600 rows over 60°, for which the tiers' distances are meant, whatever its size.
 Camera tier_camera(const TierScene& scene, double eye_height_m, glm::ivec2 size_px);
 
 /// The picture's row, from the top, in which the ground at a distance lies.

@@ -45,8 +45,8 @@ std::vector<Measurement> bench_wind_nodes(const BenchOptions&) {
   wind.primitives = {Gust{}, Tornado{}, Breeze{.radius_m = 30.0}};
   const WindNodes nodes = wind_nodes_around({0.0, 0.0}, 64, 1.0);
   std::vector<glm::vec2> values(64 * 64);
-  const double median =
-      median_ms(kSteps, [&](int step) { return elapsed_ms([&] { fill_wind(wind, nodes, kStepS * step, values); }); });
+  const double median = median_ms(
+      kSteps, [&](int step) { return elapsed_ms([&] { fill_wind(wind, nodes, kStepS * step, values); }); });
   return {{"wind.nodes_ms_64x64", median}};
 }
 

@@ -1,4 +1,5 @@
-// The meadow on which planting is measured: one species, a density of about 1000 blades per m² that varies from node to node.
+// The meadow on which planting is measured: one species, a density of about 1000 blades per m² that varies
+// from node to node.
 #pragma once
 
 #include "generator/meadow.h"

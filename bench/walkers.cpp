@@ -39,10 +39,11 @@ radius_m = {3}
 )",
                                  side_m, walkers, 0.5 * side_m, radius_m);
   for (int n = 0; n < walkers / 50; ++n) {
-    const glm::dvec2 share(std::fmod(0.7548776662466927 * (n + 1), 1.0), std::fmod(0.5698402909980532 * (n + 1), 1.0));
+    const glm::dvec2 share(std::fmod(0.7548776662466927 * (n + 1), 1.0),
+                           std::fmod(0.5698402909980532 * (n + 1), 1.0));
     constexpr const char* kKinds[] = {"trunk", "box", "rock"};
-    text += fmt::format("[[obstacle]]\nkind = \"{}\"\nposition_m = [{}, {}]\n", kKinds[n % 3], 5.0 + (side_m - 10.0) * share.x,
-                        5.0 + (side_m - 10.0) * share.y);
+    text += fmt::format("[[obstacle]]\nkind = \"{}\"\nposition_m = [{}, {}]\n", kKinds[n % 3],
+                        5.0 + (side_m - 10.0) * share.x, 5.0 + (side_m - 10.0) * share.y);
   }
   return World(parse_scene(text, ".", {}), {});
 }
@@ -57,7 +58,9 @@ double step_ms(int walkers) {
 
 std::vector<Measurement> bench_walker_steps(const BenchOptions&) {
   const double ms_1k = step_ms(1000), ms_10k = step_ms(10'000);
-  return {{"walkers.step_ms_1k", ms_1k}, {"walkers.step_ms_10k", ms_10k}, {"walkers.step_growth", ms_10k / ms_1k}};
+  return {{"walkers.step_ms_1k", ms_1k},
+          {"walkers.step_ms_10k", ms_10k},
+          {"walkers.step_growth", ms_10k / ms_1k}};
 }
 
 std::vector<Measurement> bench_walker_frames(const BenchOptions& options) {

@@ -19,7 +19,8 @@ class WalkingEye {
   const World& world() const { return world_; }
   Renderer& renderer() { return renderer_; }
 
-  /// Moves the world on where wind blows, draws a frame and waits for its end. Frames before 0 warm up: they are not timed.
+  /// Moves the world on where wind blows, draws a frame and waits for its end. Frames before 0 warm up: they
+  /// are not timed.
   void step(int frame, const OffscreenTarget& target);
   /// Forgets the times.
   void begin_again();

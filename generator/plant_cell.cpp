@@ -55,7 +55,7 @@ PRAIRIE_VECTOR_STAGE void draw_points(const PlantedCell& cell, std::uint32_t fir
 }
 
 PRAIRIE_VECTOR_STAGE void warp_points(const PlantedCell& cell, const float* __restrict tables,
-                               Roots& __restrict roots) {
+                                      Roots& __restrict roots) {
   Kernels kernels{tables};
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const glm::vec2 local_m = kernels.root_in_cell(
@@ -67,7 +67,7 @@ PRAIRIE_VECTOR_STAGE void warp_points(const PlantedCell& cell, const float* __re
 }
 
 PRAIRIE_VECTOR_STAGE void find_ground(const PlantedCell& cell, const float* __restrict tables,
-                               Roots& __restrict roots) {
+                                      Roots& __restrict roots) {
   Kernels kernels{tables};
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     roots.ground_m[n] =
@@ -75,7 +75,8 @@ PRAIRIE_VECTOR_STAGE void find_ground(const PlantedCell& cell, const float* __re
   }
 }
 
-PRAIRIE_VECTOR_STAGE void draw_traits(const PlantedCell& cell, std::uint32_t first, TraitBlock& __restrict block) {
+PRAIRIE_VECTOR_STAGE void draw_traits(const PlantedCell& cell, std::uint32_t first,
+                                      TraitBlock& __restrict block) {
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const Kernels::Traits traits = Kernels{}.traits_of(cell.key.y, first + n);
     block.height[n] = traits.height;
@@ -93,7 +94,7 @@ PRAIRIE_VECTOR_STAGE void draw_traits(const PlantedCell& cell, std::uint32_t fir
 }
 
 PRAIRIE_VECTOR_STAGE void find_clumps(const PlantedCell& cell, const SpeciesParams& species,
-                               const Roots& __restrict roots, ClumpBlock& __restrict block) {
+                                      const Roots& __restrict roots, ClumpBlock& __restrict block) {
   for (std::uint32_t n = 0; n < kBlock; ++n) {
     const Kernels::Clump clump = Kernels{}.clump_of(cell, species, {roots.x_m[n], roots.y_m[n]});
     block.height[n] = clump.height;

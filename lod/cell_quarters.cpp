@@ -22,8 +22,8 @@ struct Table {
   }
 };
 
-// Where along a row's lower (edge 0) or upper edge the density's integral reaches its half, in patches: the least and
-// the greatest such place, since it may stand still over a gap.
+// Where along a row's lower (edge 0) or upper edge the density's integral reaches its half, in patches: the
+// least and the greatest such place, since it may stand still over a gap.
 Range edge_median(const Table& table, std::uint32_t row, int edge) {
   const float half = 0.5f * table.row(row)[1 + edge];
   Kernels kernels;
@@ -42,8 +42,8 @@ Range edge_median(const Table& table, std::uint32_t row, int edge) {
   return {place(first), place(last)};
 }
 
-// The conditional's median lies, at any height of a row, between its medians along the row's edges: its prefix sums are
-// linear between them.
+// The conditional's median lies, at any height of a row, between its medians along the row's edges: its
+// prefix sums are linear between them.
 Range median_x(const Table& table) {
   Range range{static_cast<float>(table.patches), 0.0f};
   for (std::uint32_t row = 0; row < table.patches; ++row) {

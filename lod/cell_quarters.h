@@ -1,4 +1,5 @@
-// Quarters of cells (shaders/kernels/quarter.glsl): where their blades can stand and how many of a prefix are theirs.
+// Quarters of cells (shaders/kernels/quarter.glsl): where their blades can stand and how many of a prefix are
+// theirs.
 #pragma once
 
 #include <array>

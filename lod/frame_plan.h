@@ -1,5 +1,6 @@
-// What one frame draws: which cells are seen, how many of their blades, which tiles stand in strips, and which
-// patches of ground. Made by lod/planner.h, drawn by render/; the renderer decides nothing about plants.
+// What one frame draws: which cells are seen, how many of their blades, which tiles stand in strips, and
+// which patches of ground. Made by lod/planner.h, drawn by render/; the renderer decides nothing about
+// plants.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace prairie {
 
-/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide. `kSpline` and `kHermite`
-/// draw every planted blade at any distance, `kStrip` and `kFlat` none.
+/// In which representation tiles are drawn; `kAuto` lets each tile's distance decide. `kSpline` and
+/// `kHermite` draw every planted blade at any distance, `kStrip` and `kFlat` none.
 enum class Tier { kAuto, kSpline, kHermite, kStrip, kFlat };
 
 /// A run of `FramePlan::cells` whose blades have the same mesh.
@@ -54,9 +55,10 @@ struct FramePlan {
   std::vector<CellGroup> groups;  // splines first, most segments first
   std::vector<float> tables;      // what the cells' table words index
   std::vector<StripTile> strips;  // near ones first
-  std::uint32_t near_strips = 0;  // how many of them follow the ground in kStripQuads quads a side; the rest in one
-  std::vector<TileMorph> morphs;    // of tiles in view, where distance decides
-  std::vector<GroundPatch> ground;  // front to back
+  std::uint32_t near_strips =
+      0;  // how many of them follow the ground in kStripQuads quads a side; the rest in one
+  std::vector<TileMorph> morphs;             // of tiles in view, where distance decides
+  std::vector<GroundPatch> ground;           // front to back
   std::uint64_t blades_planted_in_view = 0;  // of tiles in strips: the maps' expectation
   std::uint64_t blades_drawn = 0;            // as 3D blades, at most
   std::uint64_t blades_in_strips = 0;        // that strips stand for

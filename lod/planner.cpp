@@ -44,7 +44,8 @@ std::size_t segment_class(const LodCoefficients& lod, double blade_pixels) {
 std::size_t bytes_per_tile(const PlantingLattice& lattice) {
   constexpr std::size_t kGroundTexels = 3;
   const auto features = static_cast<std::size_t>(lattice.feature_patches);
-  std::size_t bytes = kTexelBytes * (kGroundTexels + (features > 0 ? 2 * (features + 1) * (features + 1) : 0));
+  std::size_t bytes =
+      kTexelBytes * (kGroundTexels + (features > 0 ? 2 * (features + 1) * (features + 1) : 0));
   for (const int patches : lattice.density_patches) {
     const auto m = static_cast<std::size_t>(patches);
     bytes += sizeof(DrawnCell) + kTexelBytes * (m + m * (m + 1));
@@ -121,7 +122,8 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
   CellTables tables;
   next_morphs_.clear();
   TileSearch search(*meadow_, camera, plan.lod_eye_m, far_m, tallest_blade_m_);
-  const std::size_t most_tiles = static_cast<std::size_t>(options.memory_budget_bytes / bytes_per_tile(lattice_));
+  const std::size_t most_tiles =
+      static_cast<std::size_t>(options.memory_budget_bytes / bytes_per_tile(lattice_));
   for (const SeenTile& seen : search.tiles(most_tiles)) {
     const glm::dvec2 origin_m = tile_origin_m(*meadow_, seen.id);
     float morph = 0.0f;
@@ -157,7 +159,7 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
       const std::array<float, 9> heights_m = ground_heights_m(tables, tables.cells.front());
       const HeightRange range = ground_range(heights_m);
       const AlignedBox ground{glm::dvec3(min_m, base_m + static_cast<double>(range.min_m)),
-                       glm::dvec3(min_m + cell_m, base_m + static_cast<double>(range.max_m))};
+                              glm::dvec3(min_m + cell_m, base_m + static_cast<double>(range.max_m))};
       const auto texels = static_cast<std::uint32_t>(plan.tables.size() / 4);
       bool is_drawn = false;
       for (const PlantedCell& planted : tables.cells) {
@@ -174,9 +176,10 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
         const auto add_roots_in = [&](const AlignedBox& roots) {
           const AlignedBox blades{roots.min_m - glm::dvec3(reach_m, reach_m, 0.0), roots.max_m + reach_m};
           if (!search.sees(blades)) return;
-          const double keep = static_cast<double>(kernels.blades_left(morph) *
-                                                  kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(planted))) *
-                              keep_bound(plan.lod, lod_camera, {roots, heights_m, cell_m}, params.width_m);
+          const double keep =
+              static_cast<double>(kernels.blades_left(morph) *
+                                  kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(planted))) *
+              keep_bound(plan.lod, lod_camera, {roots, heights_m, cell_m}, params.width_m);
           const std::uint32_t drawn = drawn_bound(planted, keep);
           drawn_cell.drawn = drawn_cell.quarter == 0 ? drawn : drawn_in_quarter(drawn_cell.quarter, drawn);
           if (drawn_cell.drawn == 0) return;
@@ -184,10 +187,12 @@ FramePlan Planner::plan(const Camera& camera, const PlanOptions& options) {
           const double distance_m = nearest_distance_m(roots, plan.lod_eye_m);
           const double pixel_m = lod_camera.pixel_m_at(std::max(distance_m, 0.1));
           const bool is_spline = kernels.hermite_share(plan.lod, static_cast<float>(distance_m)) < 1.0f;
-          const std::size_t segments = segment_class(plan.lod, static_cast<double>(params.height_m) / pixel_m);
+          const std::size_t segments =
+              segment_class(plan.lod, static_cast<double>(params.height_m) / pixel_m);
           meshes.hermite_and_spline[is_spline][segments].push_back(drawn_cell);
         };
-        if (planted.planted < kLeastInQuarters || nearest_distance_m(ground, plan.lod_eye_m) > quarters_far_m) {
+        if (planted.planted < kLeastInQuarters ||
+            nearest_distance_m(ground, plan.lod_eye_m) > quarters_far_m) {
           add_roots_in(ground);
           continue;
         }

@@ -1,8 +1,8 @@
-// Plans frames: culls the tile quadtree against the camera, chooses each tile's tier and morph, bounds how many
-// blades each cell shows, and lays all out for the renderer (docs/design.md, D3).
+// Plans frames: culls the tile quadtree against the camera, chooses each tile's tier and morph, bounds how
+// many blades each cell shows, and lays all out for the renderer (docs/design.md, D3).
 //
-// A morphing tile follows the eye with a little play (hysteresis), so that an eye that trembles at a band does
-// not make grass breathe; a new planner's first plan depends on camera and meadow alone.
+// A morphing tile follows the eye with a little play (hysteresis), so that an eye that trembles at a band
+// does not make grass breathe; a new planner's first plan depends on camera and meadow alone.
 #pragma once
 
 #include <cstdint>

@@ -16,7 +16,8 @@ static_assert(kSteps == 4, "a StripTile holds four heights a side");
 float cell_mean(const NodeGrid& map, glm::dvec2 min_m, double side_m) {
   float sum = 0.0f;
   for (int n = 0; n < 4; ++n) {
-    const float value = map.sample(min_m + side_m * glm::dvec2(n % 2 == 0 ? 0.25 : 0.75, n < 2 ? 0.25 : 0.75));
+    const float value =
+        map.sample(min_m + side_m * glm::dvec2(n % 2 == 0 ? 0.25 : 0.75, n < 2 ? 0.25 : 0.75));
     if (value > 0.0f) sum += value;  // false for NaN
   }
   return 0.25f * sum;
@@ -48,8 +49,8 @@ TileDensity tile_density(const Meadow& meadow, TileId tile) {
   for (int cell = 0; cell < kCellsPerTile; ++cell) {
     const glm::dvec2 min_m = origin_m + glm::dvec2(cell_offset_m(meadow, cell));
     if (!meadow.ground.has_data(min_m, min_m + cell_m)) continue;
-    if (!meadow.repeats && (min_m.x >= meadow.extent_m.x || min_m.y >= meadow.extent_m.y || min_m.x < 0.0 ||
-                            min_m.y < 0.0)) {
+    if (!meadow.repeats &&
+        (min_m.x >= meadow.extent_m.x || min_m.y >= meadow.extent_m.y || min_m.x < 0.0 || min_m.y < 0.0)) {
       continue;
     }
     for (std::size_t s = 0; s < meadow.species.size(); ++s) {
@@ -61,8 +62,8 @@ TileDensity tile_density(const Meadow& meadow, TileId tile) {
   return density;
 }
 
-void append_strips(const Meadow& meadow, TileId tile, const TileDensity& density, glm::dvec3 eye_m, float grown,
-                   std::vector<StripTile>& strips) {
+void append_strips(const Meadow& meadow, TileId tile, const TileDensity& density, glm::dvec3 eye_m,
+                   float grown, std::vector<StripTile>& strips) {
   const glm::dvec2 origin_m = tile_origin_m(meadow, tile);
   const double base_m = tile_base_m(meadow, tile);
   float heights_m[(kSteps + 1) * (kSteps + 1)];
@@ -76,17 +77,19 @@ void append_strips(const Meadow& meadow, TileId tile, const TileDensity& density
   strip.side_m = static_cast<float>(meadow.tile_m);
   strip.grown = grown;
   strip.blade_height = factor_at(meadow.blade_height, centre_m, 0);
-  strip.color = meadow.color ? glm::vec3(factor_at(*meadow.color, centre_m, 0), factor_at(*meadow.color, centre_m, 1),
-                                         factor_at(*meadow.color, centre_m, 2))
-                             : glm::vec3(1.0f);
+  strip.color = meadow.color
+                    ? glm::vec3(factor_at(*meadow.color, centre_m, 0), factor_at(*meadow.color, centre_m, 1),
+                                factor_at(*meadow.color, centre_m, 2))
+                    : glm::vec3(1.0f);
   for (int n = 0; n < kSteps; ++n) {
     strip.south_m[n] = height(n, 0);
     strip.east_m[n] = height(kSteps, n);
     strip.north_m[n] = height(kSteps - n, kSteps);
     strip.west_m[n] = height(0, kSteps - n);
   }
-  strip.seed = static_cast<std::uint32_t>(mix_bits(meadow.seed ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(tile.i)) << 32 |
-                                                                  static_cast<std::uint32_t>(tile.j))));
+  strip.seed = static_cast<std::uint32_t>(
+      mix_bits(meadow.seed ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(tile.i)) << 32 |
+                              static_cast<std::uint32_t>(tile.j))));
   const double all_per_m2 = density.sum_per_m2();
   for (std::size_t s = 0; s < meadow.species.size(); ++s) {
     const double own_per_m2 = density.mean_per_m2(s);

@@ -19,9 +19,9 @@ struct TileDensity {
 
 TileDensity tile_density(const Meadow& meadow, TileId tile);
 
-/// Appends one StripTile for each species that grows on the tile. `grown`: how much of the strips stands out of
-/// the ground.
-void append_strips(const Meadow& meadow, TileId tile, const TileDensity& density, glm::dvec3 eye_m, float grown,
-                   std::vector<StripTile>& strips);
+/// Appends one StripTile for each species that grows on the tile. `grown`: how much of the strips stands out
+/// of the ground.
+void append_strips(const Meadow& meadow, TileId tile, const TileDensity& density, glm::dvec3 eye_m,
+                   float grown, std::vector<StripTile>& strips);
 
 }  // namespace prairie

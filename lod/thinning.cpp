@@ -38,16 +38,20 @@ void set_band(float& start_m, float& end_m, double new_start_m, double new_end_m
   end_m = static_cast<float>(new_end_m);
 }
 
-void never(float& start_m, float& end_m) { set_band(start_m, end_m, 1e9, 2e9); }
-void always(float& start_m, float& end_m) { set_band(start_m, end_m, -2.0, -1.0); }
+void never(float& start_m, float& end_m) {
+  set_band(start_m, end_m, 1e9, 2e9);
+}
+void always(float& start_m, float& end_m) {
+  set_band(start_m, end_m, -2.0, -1.0);
+}
 
 struct NormalCone {
   glm::dvec3 axis;
   double spread;  // |n − axis| at most
 };
 
-// The Bézier points of the biquadratic ground through 3 × 3 heights. The surface lies between the least and the
-// greatest of them, its slopes between the least and the greatest differences of neighbours.
+// The Bézier points of the biquadratic ground through 3 × 3 heights. The surface lies between the least and
+// the greatest of them, its slopes between the least and the greatest differences of neighbours.
 std::array<double, 9> bezier_points(std::span<const float> heights_m) {
   std::array<double, 9> points;
   std::copy(heights_m.begin(), heights_m.end(), points.begin());
@@ -101,7 +105,8 @@ LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_dista
   lod.widest_pixels = 2.0f;
   lod.crowded_per_m2 = 1400.0f;
   // A finer picture shows more of a blade, and strips only look right where they are small.
-  const double finer = camera.is_orthographic() ? 1.0 : static_cast<double>(kReferencePixel) / camera.pixel_m();
+  const double finer =
+      camera.is_orthographic() ? 1.0 : static_cast<double>(kReferencePixel) / camera.pixel_m();
   const Bands bands = bands_of(quality);
   set_band(lod.fade_start_m, lod.fade_end_m, kFadeStart * blade_distance_m, blade_distance_m);
   set_band(lod.spline_start_m, lod.spline_end_m, finer * bands.spline_start_m, finer * bands.spline_end_m);

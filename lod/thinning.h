@@ -18,13 +18,13 @@ namespace prairie {
 /// camera's pixels. `blade_distance_m`: beyond it only the flat tier stands.
 LodCoefficients tier_coefficients(Tier tier, Quality quality, double blade_distance_m, const Camera& camera);
 
-/// Lowest and highest height, to a rounding error, that the ground of a cell can have: of the biquadratic surface through
-/// 3 × 3 heights (shaders/kernels/cell_ground.glsl).
+/// Lowest and highest height, to a rounding error, that the ground of a cell can have: of the biquadratic
+/// surface through 3 × 3 heights (shaders/kernels/cell_ground.glsl).
 HeightRange ground_range(std::span<const float> heights_m);
 
 /// The ground of a cell as seen from an eye.
 struct CellView {
-  AlignedBox box;                           // of the cell's ground
+  AlignedBox box;                    // of the cell's ground
   std::span<const float> heights_m;  // 3 × 3, row by row from south
   double side_m;
 };

@@ -57,8 +57,8 @@ void TileSearch::visit(int level, int column, int row) {
   const double side_m = std::ldexp(meadow_.tile_m, level);
   const glm::dvec2 min_m = side_m * glm::dvec2(column, row);
   const glm::dvec2 max_m = min_m + side_m;
-  if (!meadow_.repeats && (max_m.x <= 0.0 || max_m.y <= 0.0 || min_m.x >= meadow_.extent_m.x ||
-                           min_m.y >= meadow_.extent_m.y)) {
+  if (!meadow_.repeats &&
+      (max_m.x <= 0.0 || max_m.y <= 0.0 || min_m.x >= meadow_.extent_m.x || min_m.y >= meadow_.extent_m.y)) {
     return;
   }
   const AlignedBox box = box_of(min_m, max_m);

@@ -14,7 +14,7 @@ namespace prairie {
 /// A tile in view.
 struct SeenTile {
   TileId id;
-  AlignedBox box;            // holds its ground and its blades
+  AlignedBox box;     // holds its ground and its blades
   double distance_m;  // of the box from the camera
 };
 

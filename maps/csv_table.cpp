@@ -84,10 +84,12 @@ void CsvTable::refuse(std::size_t column, const std::string& expected) const {
   throw BadInput(name_, fmt::format("line {}: {}", line_, columns_[column]), shown(cells_[column]), expected);
 }
 
-std::string read_text_input(const std::filesystem::path& path, const std::string& field, std::size_t most_bytes) {
+std::string read_text_input(const std::filesystem::path& path, const std::string& field,
+                            std::size_t most_bytes) {
   const InputFile file = inspect_input(path, field);
   if (file.bytes > most_bytes) {
-    throw BadInput(path.string(), "", fmt::format("{} bytes", file.bytes), fmt::format("at most {}", most_bytes));
+    throw BadInput(path.string(), "", fmt::format("{} bytes", file.bytes),
+                   fmt::format("at most {}", most_bytes));
   }
   std::ifstream stream(path, std::ios::binary);
   std::string text(static_cast<std::size_t>(file.bytes), '\0');

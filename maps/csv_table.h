@@ -1,5 +1,5 @@
-// Comma-separated numbers as text: a line of column names, then a line of cells each row. Columns may come in any order,
-// blanks and quotes around cells and a byte order mark before them are passed over.
+// Comma-separated numbers as text: a line of column names, then a line of cells each row. Columns may come in
+// any order, blanks and quotes around cells and a byte order mark before them are passed over.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,8 @@ class CsvTable {
   /// The column; where it is missing the message says that `expected` was.
   std::size_t need(std::string_view column, const std::string& expected) const;
 
-  /// Steps to the next row; false after the last. A row has as many cells as there are columns, an empty line none.
+  /// Steps to the next row; false after the last. A row has as many cells as there are columns, an empty line
+  /// none.
   bool next_row();
   std::string_view cell(std::size_t column) const { return cells_[column]; }
   /// The number in a cell of this row, which has to be `low` to `high`.
@@ -36,8 +37,9 @@ class CsvTable {
   std::size_t line_ = 1;
 };
 
-/// The text of a person's file; `field` names what asked for it. Throws BadInput where it cannot be read or is larger than
-/// `most_bytes`.
-std::string read_text_input(const std::filesystem::path& path, const std::string& field, std::size_t most_bytes);
+/// The text of a person's file; `field` names what asked for it. Throws BadInput where it cannot be read or
+/// is larger than `most_bytes`.
+std::string read_text_input(const std::filesystem::path& path, const std::string& field,
+                            std::size_t most_bytes);
 
 }  // namespace prairie

@@ -48,7 +48,8 @@ class OpenInput {
     }
   }
 
-  [[noreturn]] void fail(const std::string& found, const std::string& expected = "a file that can be read") const {
+  [[noreturn]] void fail(const std::string& found,
+                         const std::string& expected = "a file that can be read") const {
     throw BadInput(path_.string(), field_, found, expected);
   }
 

@@ -1,4 +1,5 @@
-// A person's file before anything is made of its contents: that it is a file at all, its size, its hash, its bytes.
+// A person's file before anything is made of its contents: that it is a file at all, its size, its hash, its
+// bytes.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,7 @@ struct InputFile {
 InputFile inspect_input(const std::filesystem::path& path, const std::string& field);
 
 /// The whole file. Throws BadInput as inspect_input does, and where it is longer than `most_bytes`.
-std::vector<std::byte> read_input(const std::filesystem::path& path, const std::string& field, std::uint64_t most_bytes);
+std::vector<std::byte> read_input(const std::filesystem::path& path, const std::string& field,
+                                  std::uint64_t most_bytes);
 
 }  // namespace prairie

@@ -31,8 +31,9 @@ WindFile parse_wind_file(std::string_view text, const std::string& name) {
       table.refuse(time, fmt::format("a time after {}", wind.times_s.back()));
     wind.times_s.push_back(time_s);
     wind.speeds_m_per_s.push_back(table.number(speed, 0.0, kMostSpeed));
-    wind.headings_rad.push_back(heading ? table.number(direction, -100.0, 100.0)
-                                        : (270.0 - table.number(direction, -360.0, 720.0)) * kRadiansPerDegree);
+    wind.headings_rad.push_back(heading
+                                    ? table.number(direction, -100.0, 100.0)
+                                    : (270.0 - table.number(direction, -360.0, 720.0)) * kRadiansPerDegree);
   }
   if (wind.times_s.empty()) throw BadInput(name, "", "no sample", "at least one line of numbers");
   return wind;

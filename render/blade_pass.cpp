@@ -29,8 +29,8 @@ std::uint32_t BladePass::vertices_per_blade(std::uint32_t segments) {
 
 namespace {
 
-MovingProgram make_grow_program(const World& world, const std::filesystem::path& shader_folder, const char* shape,
-                                const char* origin) {
+MovingProgram make_grow_program(const World& world, const std::filesystem::path& shader_folder,
+                                const char* shape, const char* origin) {
   return {shader_folder,
           {"pass/grow.comp"},
           {shape, origin, planting_variant(PlantingLattice(world.meadow()).feature_patches > 0)}};
@@ -95,8 +95,8 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
         bytes = 0;
       }
       ++batches_.back().run_count;
-      runs_.push_back({group.is_spline, is_touched, group.segments, cells_.size() + run.first, run.count, run.blades,
-                       static_cast<std::uint32_t>(bytes / sizeof(GrownVertex))});
+      runs_.push_back({group.is_spline, is_touched, group.segments, cells_.size() + run.first, run.count,
+                       run.blades, static_cast<std::uint32_t>(bytes / sizeof(GrownVertex))});
       bytes += run_bytes;
       (group.is_spline ? spline_triangles_ : hermite_triangles_) +=
           std::uint64_t{run.blades} * triangles_of(group.segments);
@@ -113,14 +113,16 @@ void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<c
     add(group, moved, true);
   }
   const Run& last = runs_.back();
-  const std::size_t last_bytes = (last.first_vertex + std::size_t{last.blades} * BladePass::vertices_per_blade(last.segments)) *
-                                 sizeof(GrownVertex);
+  const std::size_t last_bytes =
+      (last.first_vertex + std::size_t{last.blades} * BladePass::vertices_per_blade(last.segments)) *
+      sizeof(GrownVertex);
   vertices_.reserve(batches_.size() > 1 ? kStorageLimitBytes : last_bytes);
   glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(GrownVertex));
 }
 
 GLuint BladePass::grow_program(const Run& run) {
-  if (run.is_touched) return (run.is_spline ? touched_spline_program_ : touched_hermite_program_).get(variant_);
+  if (run.is_touched)
+    return (run.is_spline ? touched_spline_program_ : touched_hermite_program_).get(variant_);
   return (run.is_spline ? spline_program_ : hermite_program_).get(variant_);
 }
 

@@ -1,5 +1,6 @@
-// Draws the plan's 3D blades. Compute shaders plant and pose them and leave lit vertices, as many blades at a time as
-// a storage buffer holds; each group of equal meshes is then drawn with indices that all groups of its kind share.
+// Draws the plan's 3D blades. Compute shaders plant and pose them and leave lit vertices, as many blades at a
+// time as a storage buffer holds; each group of equal meshes is then drawn with indices that all groups of
+// its kind share.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,8 @@
 #include "render/compute_batch.h"
 #include "render/gl_objects.h"
 #include "render/moving_program.h"
-#include "render/touched_chains.h"
 #include "render/stream_buffer.h"
+#include "render/touched_chains.h"
 #include "world/world.h"
 
 namespace prairie {
@@ -21,11 +22,12 @@ class BladePass {
  public:
   BladePass(const World& world, const std::filesystem::path& shader_folder);
 
-  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For any variant
-  /// but the plain one the moving fields must be bound (render/moving_fields.h).
+  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For
+  /// any variant but the plain one the moving fields must be bound (render/moving_fields.h).
   void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
                GrassVariant variant = {}, const TouchedBlades* touched = nullptr);
-  /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be bound.
+  /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be
+  /// bound.
   void draw(StreamBuffer& stream) { draw(stream, draw_program_.get()); }
   /// The same by another program, which takes GrownVertex as vertex attributes 0 and 1.
   void draw(StreamBuffer& stream, GLuint program);

@@ -38,9 +38,10 @@ std::string planting_variant(bool has_features);
 class ComputeBatch {
  public:
   /// Shows all runs of a frame what they share.
-  void set_tables(StreamBuffer& stream, std::span<const float> tables, std::span<const SpeciesParams> species);
-  /// Numbers the run's blades (`first_blade`), shows its cells and runs `program` over them, which writes into
-  /// the storage buffer bound to 4. Returns the number of blades.
+  void set_tables(StreamBuffer& stream, std::span<const float> tables,
+                  std::span<const SpeciesParams> species);
+  /// Numbers the run's blades (`first_blade`), shows its cells and runs `program` over them, which writes
+  /// into the storage buffer bound to 4. Returns the number of blades.
   std::uint32_t dispatch(StreamBuffer& stream, GLuint program, std::span<DrawnCell> run);
 
  private:

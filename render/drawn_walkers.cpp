@@ -24,9 +24,11 @@ std::vector<WalkerLook> drawn_walkers(const World& world, const Camera& camera) 
     const double height_m = traits[n].height_m;
     const glm::dvec3 place_m(walker.position_m, static_cast<double>(ground.height_m(walker.position_m)));
     const double reach_m = kReach * height_m;
-    if (!frustum.may_see({place_m - reach_m, place_m + glm::dvec3(reach_m, reach_m, 1.3 * height_m)})) continue;
+    if (!frustum.may_see({place_m - reach_m, place_m + glm::dvec3(reach_m, reach_m, 1.3 * height_m)}))
+      continue;
     if (height_m < camera.pixel_m_at(glm::distance(place_m, camera.eye_m))) continue;
-    looks.push_back({height_m, traits[n].id, pose_of(world.gait(), walker.footing, walker.position_m, walker.forward, ground)});
+    looks.push_back({height_m, traits[n].id,
+                     pose_of(world.gait(), walker.footing, walker.position_m, walker.forward, ground)});
   }
   return looks;
 }

@@ -78,8 +78,10 @@ std::vector<WindArrow> wind_arrows(const World& world, glm::dvec3 eye_m) {
     for (int column = 0; column < side; ++column) {
       const glm::vec2 velocity = velocities[static_cast<std::size_t>(row * side + column)];
       const float speed = glm::length(velocity);
-      const glm::dvec2 place_m = kArrowLatticeM * glm::dvec2(nodes.south_west.i + column, nodes.south_west.j + row);
-      if (!(speed > kLeastArrowSpeed) || glm::distance(place_m, glm::dvec2(eye_m)) > kWindArrowsReachM) continue;
+      const glm::dvec2 place_m =
+          kArrowLatticeM * glm::dvec2(nodes.south_west.i + column, nodes.south_west.j + row);
+      if (!(speed > kLeastArrowSpeed) || glm::distance(place_m, glm::dvec2(eye_m)) > kWindArrowsReachM)
+        continue;
       const glm::dvec3 middle_m(place_m, static_cast<double>(ground.height_m(place_m)) + kArrowAboveM);
       WindArrow arrow{};
       arrow.middle_from_eye_m = glm::vec3(middle_m - eye_m);

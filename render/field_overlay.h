@@ -1,4 +1,5 @@
-// Fields made visible over the picture: the wind as arrows, treads as heat on the ground. What is drawn, as plain data.
+// Fields made visible over the picture: the wind as arrows, treads as heat on the ground. What is drawn, as
+// plain data.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -19,8 +20,8 @@ enum class FieldOverlay {
 /// Around the eye, 0.3 m above the ground.
 std::vector<WindArrow> wind_arrows(const World& world, glm::dvec3 eye_m);
 
-/// Around the eye, just above the ground; nothing where no grass was trodden. `heat`: of kTilt, tilt by the most there can be;
-/// of kRecovery, the share of the way to rest that is left.
+/// Around the eye, just above the ground; nothing where no grass was trodden. `heat`: of kTilt, tilt by the
+/// most there can be; of kRecovery, the share of the way to rest that is left.
 std::vector<HeatSquare> heat_squares(const World& world, glm::dvec3 eye_m, FieldOverlay overlay);
 
 inline constexpr double kWindArrowsReachM = 24.0;

@@ -19,7 +19,8 @@ constexpr float kShownWhereHidden = 0.3f;
 FieldOverlayPass::FieldOverlayPass(std::filesystem::path shader_folder)
     : shader_folder_(std::move(shader_folder)), no_vertices_(make_vertex_array()) {}
 
-void FieldOverlayPass::prepare(StreamBuffer& stream, const World& world, glm::dvec3 eye_m, FieldOverlay overlay) {
+void FieldOverlayPass::prepare(StreamBuffer& stream, const World& world, glm::dvec3 eye_m,
+                               FieldOverlay overlay) {
   shown_ = overlay;
   count_ = 0;
   const auto upload = [&](const auto& entries) {

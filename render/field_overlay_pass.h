@@ -1,5 +1,6 @@
-// Draws fields over the picture (render/field_overlay.h). What grass and solids hide of them shows faintly through: in a
-// sward little of the ground can be seen. The shaders are compiled when an overlay is first asked for.
+// Draws fields over the picture (render/field_overlay.h). What grass and solids hide of them shows faintly
+// through: in a sward little of the ground can be seen. The shaders are compiled when an overlay is first
+// asked for.
 #pragma once
 
 #include <array>
@@ -18,8 +19,8 @@ class FieldOverlayPass {
 
   /// Hands what a frame shows to the device. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
   void prepare(StreamBuffer& stream, const World& world, glm::dvec3 eye_m, FieldOverlay overlay);
-  /// Blends it into the bound target, depth-tested against it; the frame block must be bound. Leaves the target's alpha and
-  /// depth as they are.
+  /// Blends it into the bound target, depth-tested against it; the frame block must be bound. Leaves the
+  /// target's alpha and depth as they are.
   void draw();
 
  private:

@@ -85,8 +85,8 @@ void fill_texel(const Meadow& meadow, const std::vector<FromAbove>& species, glm
   }
   Kernels kernels;
   for (int channel = 0; channel < 3; ++channel) {
-    const double albedo =
-        sum.area > 0.0 ? sum.albedo_area[channel] / sum.area : static_cast<double>(species[0].albedo[channel]);
+    const double albedo = sum.area > 0.0 ? sum.albedo_area[channel] / sum.area
+                                         : static_cast<double>(species[0].albedo[channel]);
     texel[channel] = byte_of(static_cast<double>(kernels.srgb_from_linear(static_cast<float>(albedo))));
   }
   texel[3] = byte_of(sum.cover / (samples * samples));

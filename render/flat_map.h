@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "generator/meadow.h"
@@ -24,9 +23,9 @@ struct FlatMap {
 /// Mean albedo of a species' visible leaves.
 glm::vec3 mean_albedo(const SpeciesParams& species);
 
-/// `blade_area_from_above_m2`: what one blade of each species shows from above. Texel centres lie on the field's
-/// borders (where it repeats, on its western and southern one). Maps finer than the texels are averaged over
-/// them.
+/// `blade_area_from_above_m2`: what one blade of each species shows from above. Texel centres lie on the
+/// field's borders (where it repeats, on its western and southern one). Maps finer than the texels are
+/// averaged over them.
 FlatMap make_flat_map(const Meadow& meadow, std::span<const double> blade_area_from_above_m2);
 
 }  // namespace prairie

@@ -23,7 +23,8 @@ class GroundPass {
   GroundPass(const World& world, const std::filesystem::path& shader_folder,
              std::span<const double> blade_area_from_above_m2);
 
-  /// The frame block must be bound, and for any variant but the plain one the moving fields. `anchor_m`: as in it.
+  /// The frame block must be bound, and for any variant but the plain one the moving fields. `anchor_m`: as
+  /// in it.
   void draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassVariant variant);
   /// Where the mesh's frame has its origin for this eye: whole multiples of the coarsest quad near it, at a
   /// fixed height.

@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-
 namespace prairie {
 namespace {
 

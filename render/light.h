@@ -10,8 +10,8 @@ namespace prairie {
 
 /// What the frame block tells of the ground (render/ground_pass.h).
 struct GroundLook {
-  glm::dvec3 anchor_m{0.0};           // where the mesh's frame has its origin
-  glm::dvec2 flat_period_m{1.0};      // size of the flat tier's texture in the scene
+  glm::dvec3 anchor_m{0.0};       // where the mesh's frame has its origin
+  glm::dvec2 flat_period_m{1.0};  // size of the flat tier's texture in the scene
 };
 
 /// The frame block of a plan, without jitter and tint.

@@ -1,9 +1,9 @@
-// Draws straight lines over the picture, of the same width in pixels at any distance. What grass and solids hide of
-// them shows faintly through, as in render/field_overlay_pass.h. The shaders are compiled when there is first a line to
-// draw.
+// Draws straight lines over the picture, of the same width in pixels at any distance. What grass and solids
+// hide of them shows faintly through, as in render/field_overlay_pass.h. The shaders are compiled when there
+// is first a line to draw.
 //
-// Each line is a strip of two triangles, all of them in one draw without instances, which costs a software renderer the
-// least; lines that are out of sight never reach the device.
+// Each line is a strip of two triangles, all of them in one draw without instances, which costs a software
+// renderer the least; lines that are out of sight never reach the device.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ class LinePass {
 
   /// Hands a frame's lines to the device. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
   void prepare(StreamBuffer& stream, std::span<const LineSegment> lines, const Camera& camera);
-  /// Blends them into the bound target, depth-tested against it; the frame block must be bound. Leaves the target's
-  /// alpha and depth as they are.
+  /// Blends them into the bound target, depth-tested against it; the frame block must be bound. Leaves the
+  /// target's alpha and depth as they are.
   void draw();
 
  private:

@@ -75,7 +75,8 @@ void add_cart(double half_width_m, const MoverPlace& place, const HeightField& g
 
   // An open box: its floor, its long sides, its ends between them.
   const double side = kBoxHalf.y - kBoardHalf, end = kBoxHalf.x - kBoardHalf;
-  cart.add(kBox, {0, 0, -kBoxHalf.z + kBoardHalf}, {kBoxHalf.x - 2 * kBoardHalf, side - kBoardHalf, kBoardHalf}, kBoards);
+  cart.add(kBox, {0, 0, -kBoxHalf.z + kBoardHalf},
+           {kBoxHalf.x - 2 * kBoardHalf, side - kBoardHalf, kBoardHalf}, kBoards);
   for (const double sign : {-1.0, 1.0}) {
     cart.add(kBox, {0, sign * side, 0}, {kBoxHalf.x, kBoardHalf, kBoxHalf.z}, kBoards);
     cart.add(kBox, {sign * end, 0, 0}, {kBoardHalf, side - kBoardHalf, kBoxHalf.z}, kBoards);
@@ -92,11 +93,13 @@ void add_cart(double half_width_m, const MoverPlace& place, const HeightField& g
   const double wheel_y = kBoxHalf.y + kWheelHalf + 0.07;
   const double angle = rolled_m / (kWheelRadius * half_width_m);
   const double turn = std::fmod(angle, 2.0 * std::numbers::pi);
-  const glm::dmat3 turned(std::cos(turn), 0.0, -std::sin(turn), 0.0, 1.0, 0.0, std::sin(turn), 0.0, std::cos(turn));
+  const glm::dmat3 turned(std::cos(turn), 0.0, -std::sin(turn), 0.0, 1.0, 0.0, std::sin(turn), 0.0,
+                          std::cos(turn));
   for (const double along : {-axle_x, axle_x}) {
     cart.add(kBox, {along, 0, axle_z}, {kAxleHalf, wheel_y - kWheelHalf, kAxleHalf}, kBeams);
     // What rests on the axle and bears the box.
-    const double above = 0.5 * (axle_z + kAxleHalf - kBoxHalf.z), half = 0.5 * (-kBoxHalf.z - axle_z - kAxleHalf);
+    const double above = 0.5 * (axle_z + kAxleHalf - kBoxHalf.z),
+                 half = 0.5 * (-kBoxHalf.z - axle_z - kAxleHalf);
     if (half > 0.0) cart.add(kBox, {along, 0, above}, {1.2 * kAxleHalf, 0.7, half}, kBeams);
     for (const double across : {-wheel_y, wheel_y})
       cart.add(kWheel, {along, across, axle_z}, {kWheelRadius, kWheelHalf, kWheelRadius}, kBeams, turned);
@@ -114,12 +117,17 @@ std::vector<DrawnSolid> drawn_movers(const World& world) {
   const HeightField& ground = world.meadow().ground;
   const auto add = [&](MoverKind kind, double radius_m, const MoverPlace& place, double rolled_m) {
     switch (kind) {
-      case MoverKind::kStone: solids.push_back(stone(radius_m, place)); break;
-      case MoverKind::kCart: add_cart(radius_m, place, ground, rolled_m, solids); break;
+      case MoverKind::kStone:
+        solids.push_back(stone(radius_m, place));
+        break;
+      case MoverKind::kCart:
+        add_cart(radius_m, place, ground, rolled_m, solids);
+        break;
     }
   };
   for (const Mover& mover : world.movers()) {
-    add(mover.path().kind, mover.path().radius_m, mover.place(ground, world.time_s()), way_m(mover, world.time_s()));
+    add(mover.path().kind, mover.path().radius_m, mover.place(ground, world.time_s()),
+        way_m(mover, world.time_s()));
   }
   for (const DrivenMover& driven : world.driven())
     add(driven.kind, driven.radius_m, driven.place, driven.rolled_m);

@@ -1,5 +1,5 @@
-// What the things that move over the grass (agents/mover.h) look like: a stone is a granite boulder, a cart is of boards and
-// runs on four spoked wheels, which turn as it goes.
+// What the things that move over the grass (agents/mover.h) look like: a stone is a granite boulder, a cart
+// is of boards and runs on four spoked wheels, which turn as it goes.
 #pragma once
 
 #include <vector>

@@ -27,7 +27,8 @@ double coarsest_period_m() {
 }  // namespace
 
 void MovingFields::paint(const Motion& motion, glm::dvec2 eye_m) {
-  if (motion.treading().bytes() > 0 || !window_.is_empty()) window_.paint(motion.treading(), motion.eye_m().value_or(eye_m));
+  if (motion.treading().bytes() > 0 || !window_.is_empty())
+    window_.paint(motion.treading(), motion.eye_m().value_or(eye_m));
 }
 
 void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame) {
@@ -54,8 +55,8 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
     glClearTexImage(sway_.get(), 0, GL_RGBA, GL_FLOAT, rest);
   }
   if (sway) {
-    glTextureSubImage3D(sway_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide, layers, GL_RGBA, GL_FLOAT,
-                        sway->image().data());
+    glTextureSubImage3D(sway_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide, layers, GL_RGBA,
+                        GL_FLOAT, sway->image().data());
   }
   if (has_treads || !window_.is_empty()) {
     if (treads_.get() == 0) {
@@ -65,9 +66,10 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
     }
     paint(motion, eye_m);
     for (const TreadWindow::Rows& rows : window_.take_changed()) {
-      const auto first = static_cast<std::size_t>(rows.layer * layouts::kTreadSide + rows.first) * layouts::kTreadSide;
-      glTextureSubImage3D(treads_.get(), 0, 0, rows.first, rows.layer, layouts::kTreadSide, rows.count, 1, GL_RGBA, GL_BYTE,
-                          window_.image().subspan(first).data());
+      const auto first =
+          static_cast<std::size_t>(rows.layer * layouts::kTreadSide + rows.first) * layouts::kTreadSide;
+      glTextureSubImage3D(treads_.get(), 0, 0, rows.first, rows.layer, layouts::kTreadSide, rows.count, 1,
+                          GL_RGBA, GL_BYTE, window_.image().subspan(first).data());
     }
   }
 }
@@ -76,8 +78,8 @@ void MovingFields::show_conditions(const ConditionWindow& conditions) {
   if (conditions.revision() == conditions_revision_) return;
   conditions_revision_ = conditions.revision();
   if (conditions_.get() == 0) conditions_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layouts::kSwayLevels);
-  glTextureSubImage3D(conditions_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide, layouts::kSwayLevels,
-                      GL_RGBA, GL_FLOAT, conditions.image().data());
+  glTextureSubImage3D(conditions_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide,
+                      layouts::kSwayLevels, GL_RGBA, GL_FLOAT, conditions.image().data());
 }
 
 void MovingFields::bind() const {

@@ -1,4 +1,5 @@
-// The fields that move grass around the eye and change its look as textures (shaders/pass/moving_fields.glsl).
+// The fields that move grass around the eye and change its look as textures
+// (shaders/pass/moving_fields.glsl).
 #pragma once
 
 #include "animation/tread_window.h"
@@ -10,7 +11,8 @@ namespace prairie {
 
 class MovingFields {
  public:
-  /// Makes ready what `show` uploads, so that it has less to do if nothing moves until then. Does without OpenGL.
+  /// Makes ready what `show` uploads, so that it has less to do if nothing moves until then. Does without
+  /// OpenGL.
   void paint(const Motion& motion, glm::dvec2 eye_m);
   /// Uploads what a frame seen from there needs and tells the frame block where it lies.
   void show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame);

@@ -1,5 +1,6 @@
-// A shader program as it is needed for grass that stands still, sways or has been trodden, and for grass that something
-// has come over. Each is made when it is first asked for: compiling is what takes longest when the program starts.
+// A shader program as it is needed for grass that stands still, sways or has been trodden, and for grass that
+// something has come over. Each is made when it is first asked for: compiling is what takes longest when the
+// program starts.
 #pragma once
 
 #include <array>
@@ -26,7 +27,8 @@ GrassVariant grass_variant(const Motion& motion);
 class MovingProgram {
  public:
   /// As for make_program; `defines` are set besides those of the variant.
-  MovingProgram(std::filesystem::path folder, std::vector<std::string> names, std::vector<std::string> defines = {});
+  MovingProgram(std::filesystem::path folder, std::vector<std::string> names,
+                std::vector<std::string> defines = {});
 
   /// Throws NoSuitableOpenGl, BadInput when it has to be made.
   GLuint get(GrassVariant variant);

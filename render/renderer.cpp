@@ -14,8 +14,8 @@
 #include "render/blade_pass.h"
 #include "render/drawn_walkers.h"
 #include "render/field_overlay_pass.h"
-#include "render/graphics_reset.h"
 #include "render/gpu_timer.h"
+#include "render/graphics_reset.h"
 #include "render/ground_pass.h"
 #include "render/light.h"
 #include "render/line_pass.h"
@@ -87,9 +87,10 @@ struct Renderer::Passes {
     sward.set_light(frame);
     ground.emplace(the_world, shader_folder, sward.blade_area_from_above_m2());
     sward.bind();
-    strip_texture = StripPainter(the_world, shader_folder)
-                        .paint(stream, blades, frame_params(the_world, FramePlan{}, GroundLook{}, sward.field()),
-                               sward.species(), strip_traits);
+    strip_texture =
+        StripPainter(the_world, shader_folder)
+            .paint(stream, blades, frame_params(the_world, FramePlan{}, GroundLook{}, sward.field()),
+                   sward.species(), strip_traits);
     obstacles.set(the_world.standing(), the_world.meadow().ground);
   }
 
@@ -152,7 +153,8 @@ struct Renderer::Passes {
   // Begins what is done meanwhile, which ends with `get`.
   std::future<void> begin_meanwhile(const Meanwhile& meanwhile, glm::dvec2 eye_m) {
     if (!meanwhile) return std::async(std::launch::deferred, [] {});
-    const bool has_threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
+    const bool has_threads =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
     return std::async(has_threads ? std::launch::async : std::launch::deferred, [this, &meanwhile, eye_m] {
       meanwhile();
       // Most likely that is what the next frame shows.
@@ -198,8 +200,8 @@ struct Renderer::Passes {
     glDepthMask(GL_TRUE);
     statistics.flat.triangles = ground->triangles_drawn();
     statistics.triangles = statistics.spline.triangles + statistics.hermite.triangles +
-                           statistics.strip.triangles + statistics.flat.triangles + obstacles.triangles_drawn() +
-                           solids.triangles_drawn() + walkers.triangles_drawn();
+                           statistics.strip.triangles + statistics.flat.triangles +
+                           obstacles.triangles_drawn() + solids.triangles_drawn() + walkers.triangles_drawn();
   }
 
   void tone_map(GLuint linear_texture, GLuint framebuffer, glm::ivec2 size_px) {
@@ -265,7 +267,8 @@ FrameStatistics Renderer::draw(const Camera& camera, const FrameOptions& options
   return statistics;
 }
 
-Picture Renderer::render(const Camera& camera, const FrameOptions& options, int samples, const Meanwhile& meanwhile) {
+Picture Renderer::render(const Camera& camera, const FrameOptions& options, int samples,
+                         const Meanwhile& meanwhile) {
   assert(samples >= 1);
   Picture picture;
   picture.width = camera.size_px.x;

@@ -1,6 +1,7 @@
-// Draws a world: takes a camera, has lod/ plan the frame, has compute shaders grow the plan's blades (one dispatch
-// for each kind of mesh) and lay its strips, draws blades, strips, ground and sky into a linear HDR target, and hands
-// out pictures. Needs a current OpenGL 4.5 core context, from a window or a HeadlessContext, that outlives it.
+// Draws a world: takes a camera, has lod/ plan the frame, has compute shaders grow the plan's blades (one
+// dispatch for each kind of mesh) and lay its strips, draws blades, strips, ground and sky into a linear HDR
+// target, and hands out pictures. Needs a current OpenGL 4.5 core context, from a window or a
+// HeadlessContext, that outlives it.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +45,8 @@ struct FrameOptions {
   bool msaa = false;  // 4 samples per pixel
   std::uint64_t memory_budget_bytes =
       std::numeric_limits<std::uint64_t>::max();  // for the plan (lod/planner.h)
-  std::optional<Quality> quality = {};                 // the scene's, if not given
-  std::optional<glm::dvec3> lod_eye_m = {};            // tiers are chosen for this eye; the camera's, if not given
+  std::optional<Quality> quality = {};            // the scene's, if not given
+  std::optional<glm::dvec3> lod_eye_m = {};       // tiers are chosen for this eye; the camera's, if not given
   bool tier_tint = false;  // colours each tier: spline red, Hermite yellow, strips green, flat blue
   FieldOverlay field_overlay = FieldOverlay::kNone;
   std::span<const WalkerLook> walkers = {};  // drawn besides the world's; not owned
@@ -73,17 +74,19 @@ class Renderer {
   /// What stands in the meadow from now on. Throws NoSuitableOpenGl, BadInput (render/obstacle_pass.h).
   void stand(const StandingThings& things);
 
-  /// What is done while a frame is drawn: once all that time moves has been read, it runs beside the drawing in a thread of its
-  /// own (afterwards, where oneTBB may use only one) and has ended when the drawing returns. It may step the world for the next
-  /// frame, not touch OpenGL. What it throws is passed on.
+  /// What is done while a frame is drawn: once all that time moves has been read, it runs beside the drawing
+  /// in a thread of its own (afterwards, where oneTBB may use only one) and has ended when the drawing
+  /// returns. It may step the world for the next frame, not touch OpenGL. What it throws is passed on.
   using Meanwhile = std::function<void()>;
 
   /// Draws one frame into the framebuffer `target` (0: the window), tone-mapped. The camera's size is the
   /// target's.
-  FrameStatistics draw(const Camera& camera, const FrameOptions& options, unsigned target, const Meanwhile& meanwhile = {});
+  FrameStatistics draw(const Camera& camera, const FrameOptions& options, unsigned target,
+                       const Meanwhile& meanwhile = {});
 
   /// Draws `samples` jittered frames, averages them in linear light and reads the picture back.
-  Picture render(const Camera& camera, const FrameOptions& options, int samples, const Meanwhile& meanwhile = {});
+  Picture render(const Camera& camera, const FrameOptions& options, int samples,
+                 const Meanwhile& meanwhile = {});
 
  private:
   struct Passes;

@@ -13,9 +13,9 @@ namespace prairie {
 /// includes put in. Throws BadInput for a file that is not there.
 std::string shader_source(const std::filesystem::path& folder, const std::string& name);
 
-/// Compiles and links, with the preprocessor names `defines` set (empty ones are none); the kind of each stage
-/// follows from its suffix (.vert, .frag, .comp). Throws NoSuitableOpenGl with the driver's message if it
-/// refuses them.
+/// Compiles and links, with the preprocessor names `defines` set (empty ones are none); the kind of each
+/// stage follows from its suffix (.vert, .frag, .comp). Throws NoSuitableOpenGl with the driver's message if
+/// it refuses them.
 GlProgram make_program(const std::filesystem::path& folder, const std::vector<std::string>& names,
                        const std::vector<std::string>& defines = {});
 

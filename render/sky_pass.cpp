@@ -13,7 +13,8 @@ constexpr int kMapSide = 1024;
 glm::mat3 view_directions(const Camera& camera) {
   const double half = std::tan(0.5 * camera.fov_rad);
   const double aspect = static_cast<double>(camera.size_px.x) / camera.size_px.y;
-  return {glm::vec3(camera.right() * half * aspect), glm::vec3(camera.up() * half), glm::vec3(camera.forward())};
+  return {glm::vec3(camera.right() * half * aspect), glm::vec3(camera.up() * half),
+          glm::vec3(camera.forward())};
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ SolidMesh icosahedron() {
       for (std::size_t c = b + 1; c < mesh.vertices.size(); ++c) {
         if (!neighbours(a, b) || !neighbours(b, c) || !neighbours(c, a)) continue;
         const auto place = [&](std::size_t n) { return mesh.vertices[n].place; };
-        const bool is_outward = glm::dot(glm::cross(place(b) - place(a), place(c) - place(a)), place(a)) > 0.0f;
+        const bool is_outward =
+            glm::dot(glm::cross(place(b) - place(a), place(c) - place(a)), place(a)) > 0.0f;
         for (const std::size_t n : {a, is_outward ? b : c, is_outward ? c : b})
           mesh.indices.push_back(static_cast<std::uint16_t>(n));
       }
@@ -103,9 +104,10 @@ SolidMesh sphere_mesh(int subdivisions) {
 }
 
 SolidMesh box_mesh() {
-  // Each face is a grid that has its middle lines twice: between them lies the flat part, beyond them half of each
-  // rounded edge.
-  static constexpr std::array<float, 8> kSteps{-1.0f, -2.0f / 3, -1.0f / 3, 0.0f, 0.0f, 1.0f / 3, 2.0f / 3, 1.0f};
+  // Each face is a grid that has its middle lines twice: between them lies the flat part, beyond them half of
+  // each rounded edge.
+  static constexpr std::array<float, 8> kSteps{-1.0f, -2.0f / 3, -1.0f / 3, 0.0f,
+                                               0.0f,  1.0f / 3,  2.0f / 3,  1.0f};
   const auto sign = [](std::size_t step) { return step < kSteps.size() / 2 ? -1.0f : 1.0f; };
   SolidMesh mesh;
   for (int axis = 0; axis < 3; ++axis) {
@@ -140,9 +142,10 @@ SolidMesh wheel_mesh() {
   constexpr float kSpokeHalf = 0.3f;  // half their thickness, as a share of the wheel's
   SolidMesh mesh;
   for (const float side : {-1.0f, 1.0f}) {
-    for (const Turned& part : {Turned{kRimInside, side, 1.0f, side, 0.0f, side},
-                               Turned{kHubRadius, side * kSpokeHalf, kRimInside, side * kSpokeHalf, 0.0f, side},
-                               Turned{0.0f, side, kHubRadius, side, 0.0f, side}})
+    for (const Turned& part :
+         {Turned{kRimInside, side, 1.0f, side, 0.0f, side},
+          Turned{kHubRadius, side * kSpokeHalf, kRimInside, side * kSpokeHalf, 0.0f, side},
+          Turned{0.0f, side, kHubRadius, side, 0.0f, side}})
       add_turned(mesh, part);
   }
   add_turned(mesh, {1.0f, -1.0f, 1.0f, 1.0f, 1.0f, 0.0f});

@@ -17,10 +17,12 @@ struct SolidMesh {
   std::vector<std::uint16_t> indices;  // of triangles
 };
 
-/// The unit sphere as an icosahedron, each triangle cut into four `subdivisions` times; all vertices lie on the sphere.
+/// The unit sphere as an icosahedron, each triangle cut into four `subdivisions` times; all vertices lie on
+/// the sphere.
 SolidMesh sphere_mesh(int subdivisions);
 
-/// A cube whose edges and corners can be rounded: its vertices are place · (half size − radius) + radius · facing.
+/// A cube whose edges and corners can be rounded: its vertices are place · (half size − radius) + radius ·
+/// facing.
 SolidMesh box_mesh();
 
 /// A wheel around the y axis: rim, hub, and two discs between them that hold the spokes.

@@ -15,7 +15,8 @@
 namespace prairie {
 namespace {
 
-// Spheres of 5120, 1280 and 320 triangles; each less than half a pixel off at the radius down to which it is drawn.
+// Spheres of 5120, 1280 and 320 triangles; each less than half a pixel off at the radius down to which it is
+// drawn.
 constexpr std::array<int, 3> kSphereSubdivisions{4, 3, 2};
 constexpr std::array<double, 2> kLeastRadiusPx{180.0, 45.0};
 constexpr float kRoundestEdgeM = 0.02f;
@@ -28,9 +29,12 @@ float lowest_m(const DrawnSolid& solid) {
   const glm::vec3 rise(solid.axes[0].z, solid.axes[1].z, solid.axes[2].z);
   const glm::vec3 reach = solid.half_size_m * glm::abs(rise);
   switch (solid.shape) {
-    case DrawnSolid::Shape::kSphere: return -glm::length(reach);
-    case DrawnSolid::Shape::kBox: return -(reach.x + reach.y + reach.z);
-    case DrawnSolid::Shape::kWheel: return -std::hypot(reach.x, reach.z) - reach.y;
+    case DrawnSolid::Shape::kSphere:
+      return -glm::length(reach);
+    case DrawnSolid::Shape::kBox:
+      return -(reach.x + reach.y + reach.z);
+    case DrawnSolid::Shape::kWheel:
+      return -std::hypot(reach.x, reach.z) - reach.y;
   }
   return 0.0f;
 }
@@ -56,7 +60,9 @@ SolidParams params_of(const DrawnSolid& solid, glm::dvec3 eye_m) {
       params.edge_m = std::min(kRoundestEdgeM, 0.3f * std::min({half.x, half.y, half.z}));
       break;
     }
-    case DrawnSolid::Shape::kWheel: params.shape = layouts::kSolidWheel; break;
+    case DrawnSolid::Shape::kWheel:
+      params.shape = layouts::kSolidWheel;
+      break;
   }
   return params;
 }
@@ -94,12 +100,13 @@ struct SolidPass::Device {
       : folder(shader_folder), vertex_array(make_vertex_array()) {
     std::vector<SolidVertex> all_vertices;
     std::vector<std::uint16_t> all_indices;
-    const std::array<SolidMesh, kMeshes> meshes{sphere_mesh(kSphereSubdivisions[0]), sphere_mesh(kSphereSubdivisions[1]),
-                                                sphere_mesh(kSphereSubdivisions[2]), box_mesh(), wheel_mesh()};
+    const std::array<SolidMesh, kMeshes> meshes{
+        sphere_mesh(kSphereSubdivisions[0]), sphere_mesh(kSphereSubdivisions[1]),
+        sphere_mesh(kSphereSubdivisions[2]), box_mesh(), wheel_mesh()};
     for (std::size_t n = 0; n < kMeshes; ++n) {
       const SolidMesh& mesh = meshes[n];
       parts[n] = {all_indices.size() * sizeof(std::uint16_t), static_cast<GLsizei>(mesh.indices.size()),
-                      static_cast<GLint>(all_vertices.size())};
+                  static_cast<GLint>(all_vertices.size())};
       all_vertices.insert(all_vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
       all_indices.insert(all_indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
@@ -128,7 +135,8 @@ struct SolidPass::Device {
         programs[shape] = make_program(folder, {"pass/boulder.vert", "pass/boulder.frag"});
         stone = paint_stone_map(folder, kStoneAlbedo);
       } else {
-        programs[shape] = make_program(folder, {"pass/solid.vert", "pass/solid.frag"}, {kShapeDefines[shape]});
+        programs[shape] =
+            make_program(folder, {"pass/solid.vert", "pass/solid.frag"}, {kShapeDefines[shape]});
       }
     }
     return programs[shape].get();
@@ -160,7 +168,8 @@ void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids
     const std::size_t mesh = mesh_of(solid, camera);
     device_->program(shape_of(mesh));  // painting the stones' maps must not come between draws
     const bool is_stone = solid.shape == DrawnSolid::Shape::kSphere;
-    sorted.push_back({mesh, is_stone ? device_->stone.level_for(radius_m(solid), pixel_m(solid, camera)) : 0, &solid});
+    sorted.push_back(
+        {mesh, is_stone ? device_->stone.level_for(radius_m(solid), pixel_m(solid, camera)) : 0, &solid});
   }
   std::ranges::stable_sort(sorted, {}, [](const Sorted& one) { return std::pair(one.mesh, one.map_level); });
   std::vector<SolidParams> table;

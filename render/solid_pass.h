@@ -1,5 +1,6 @@
-// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a mesh and level of detail; a
-// frame without solids costs nothing, and the shaders are compiled when the first one is seen.
+// Draws solid things that stand among the grass: boulders, boxes of boards, wheels. One draw call a mesh and
+// level of detail; a frame without solids costs nothing, and the shaders are compiled when the first one is
+// seen.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +25,13 @@ struct DrawnSolid {
   };
   Shape shape = Shape::kSphere;
   glm::dvec3 centre_m{0.0};
-  glm::mat3 axes{1.0f};        // unit columns, in the scene: forward, left, up
+  glm::mat3 axes{1.0f};         // unit columns, in the scene: forward, left, up
   glm::vec3 half_size_m{1.0f};  // along them
-  glm::vec3 albedo{0.5f};      // linear
-  float roughness_of_outline = 0.0f;  // of a sphere: greatest depth of its dents over its radius; with any it is of stone
-  float above_ground_m = 0.0f;        // of its lowest point: the sward around darkens what is near the ground
-  std::uint32_t seed = 0;             // tells stones and boards apart
+  glm::vec3 albedo{0.5f};       // linear
+  float roughness_of_outline =
+      0.0f;  // of a sphere: greatest depth of its dents over its radius; with any it is of stone
+  float above_ground_m = 0.0f;  // of its lowest point: the sward around darkens what is near the ground
+  std::uint32_t seed = 0;       // tells stones and boards apart
 };
 
 class SolidPass {

@@ -61,7 +61,8 @@ StoneMap paint_stone_map(const std::filesystem::path& shader_folder, glm::vec3 m
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   glEnable(GL_DEPTH_TEST);
   StoneMap map;
-  for (GLuint level = 0; level < kLevels; ++level) map.levels.push_back({level_of(albedo, level), level_of(surface, level)});
+  for (GLuint level = 0; level < kLevels; ++level)
+    map.levels.push_back({level_of(albedo, level), level_of(surface, level)});
   return map;
 }
 

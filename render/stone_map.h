@@ -1,4 +1,5 @@
-// The look of stones as octahedral maps (shaders/pass/octahedral.glsl), painted once by shaders/pass/stone_map.frag.
+// The look of stones as octahedral maps (shaders/pass/octahedral.glsl), painted once by
+// shaders/pass/stone_map.frag.
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,9 @@ std::size_t offset_alignment() {
 
 }  // namespace
 
-StreamBuffer::StreamBuffer(std::size_t frame_bytes) : alignment_(offset_alignment()) { allocate(frame_bytes); }
+StreamBuffer::StreamBuffer(std::size_t frame_bytes) : alignment_(offset_alignment()) {
+  allocate(frame_bytes);
+}
 
 StreamBuffer::~StreamBuffer() {
   for (const GLsync fence : fences_) glDeleteSync(fence);  // silently ignores none
@@ -63,7 +65,8 @@ StreamBuffer::Slice StreamBuffer::write(const void* data, std::size_t bytes) {
   const std::size_t offset = frame_ * frame_bytes_ + used_;
   std::memcpy(mapped_ + offset, data, bytes);
   used_ += room;
-  return {buffer_.get(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16))};
+  return {buffer_.get(), static_cast<GLintptr>(offset),
+          static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16))};
 }
 
 }  // namespace prairie

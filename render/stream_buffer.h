@@ -1,5 +1,6 @@
-// Memory through which each frame's data reaches the device without a copy and without waiting: a persistently mapped ring
-// of a few frames (OpenGL 4.4). A frame's part is written again only when the device has read it.
+// Memory through which each frame's data reaches the device without a copy and without waiting: a
+// persistently mapped ring of a few frames (OpenGL 4.4). A frame's part is written again only when the device
+// has read it.
 #pragma once
 
 #include <epoxy/gl.h>

@@ -50,7 +50,8 @@ FramePlan plan_of(const Meadow& strip, std::uint32_t species, float all_per_m2) 
   DrawnCell cell{};
   cell.planted = tables.cells.front();
   // The light in it is that of the whole sward.
-  cell.planted.other_density_per_m2 = std::max(all_per_m2 - strip.species[0].density_per_m2.sample({0.0, 0.0}), 0.0f);
+  cell.planted.other_density_per_m2 =
+      std::max(all_per_m2 - strip.species[0].density_per_m2.sample({0.0, 0.0}), 0.0f);
   cell.planted.species = species;
   cell.drawn = cell.planted.planted;
   plan.cells.push_back(cell);

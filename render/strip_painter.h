@@ -1,4 +1,5 @@
-// Draws the strips' texture (render/strip_texture.h) with the renderer's own blades, on level ground in the scene's light.
+// Draws the strips' texture (render/strip_texture.h) with the renderer's own blades, on level ground in the
+// scene's light.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +18,9 @@ class StripPainter {
  public:
   StripPainter(const World& world, const std::filesystem::path& shader_folder);
 
-  /// An array texture of kStripFacings layers a species. `light`: a frame block of the scene; overwrites the bound one.
-  /// The sward's tables must be bound.
-  /// `traits`: of each species' strips, with the longest blade's length for the height of its texture.
+  /// An array texture of kStripFacings layers a species. `light`: a frame block of the scene; overwrites the
+  /// bound one. The sward's tables must be bound. `traits`: of each species' strips, with the longest blade's
+  /// length for the height of its texture.
   GlTexture paint(StreamBuffer& stream, BladePass& blades, const FrameParams& light,
                   std::span<const SpeciesParams> species, std::vector<StripTraits>& traits);
 

@@ -39,7 +39,8 @@ StripPass::StripPass(const std::filesystem::path& shader_folder)
   near_indices_.upload(std::span<const std::uint16_t>(indices_of(kNearQuads)));
   far_indices_.upload(std::span<const std::uint16_t>(indices_of(1)));
   const GLuint array = vertex_array_.get();
-  const auto attribute = [&](GLuint index, GLint size, GLenum type, GLboolean normalized, std::size_t offset) {
+  const auto attribute = [&](GLuint index, GLint size, GLenum type, GLboolean normalized,
+                             std::size_t offset) {
     glEnableVertexArrayAttrib(array, index);
     glVertexArrayAttribFormat(array, index, size, type, normalized, static_cast<GLuint>(offset));
     glVertexArrayAttribBinding(array, index, 0);
@@ -90,7 +91,8 @@ void StripPass::draw(GLuint strip_texture) {
   glBindVertexArray(vertex_array_.get());
   glBindTextureUnit(0, strip_texture);
   for (const Run& run : {near_, far_}) {
-    glVertexArrayElementBuffer(vertex_array_.get(), run.quads == 1 ? far_indices_.get() : near_indices_.get());
+    glVertexArrayElementBuffer(vertex_array_.get(),
+                               run.quads == 1 ? far_indices_.get() : near_indices_.get());
     for (std::uint32_t first = 0; first < run.tiles * kSides; first += kIndexedSides) {
       const std::uint32_t sides = std::min(kIndexedSides, run.tiles * kSides - first);
       glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(sides * run.quads * 6), GL_UNSIGNED_SHORT,

@@ -1,5 +1,5 @@
-// Draws the plan's strips (G03 §3.4): a compute shader lays them along the tiles' sides and paints them, an alpha test
-// shows as many blades of the texture as the density asks for.
+// Draws the plan's strips (G03 §3.4): a compute shader lays them along the tiles' sides and paints them, an
+// alpha test shows as many blades of the texture as the density asks for.
 #pragma once
 
 #include <cstdint>

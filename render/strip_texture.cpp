@@ -37,7 +37,8 @@ std::vector<ColorSum> row_means(const StripDrawing& drawing) {
   std::vector<ColorSum> means(sums.size());
   for (int row = 0; row < drawing.rows; ++row) {
     ColorSum around;
-    for (int n = std::max(0, row - kRowsOfMean / 2); n <= std::min(drawing.rows - 1, row + kRowsOfMean / 2); ++n) {
+    for (int n = std::max(0, row - kRowsOfMean / 2); n <= std::min(drawing.rows - 1, row + kRowsOfMean / 2);
+         ++n) {
       for (int channel = 0; channel < 3; ++channel) around.rgb[channel] += sums[n].rgb[channel];
       around.texels += sums[n].texels;
     }
@@ -87,7 +88,8 @@ StripLevel coarser_level(const StripLevel& fine) {
           sum += child[channel];
           ++blades;
         }
-        texel[channel] = blades > 0 ? static_cast<std::uint8_t>((sum + blades / 2) / blades) : children[0][channel];
+        texel[channel] =
+            blades > 0 ? static_cast<std::uint8_t>((sum + blades / 2) / blades) : children[0][channel];
       }
       const std::uint32_t chance = kernels.hash_u32(static_cast<std::uint32_t>(row) * 0x9e3779b9u +
                                                     static_cast<std::uint32_t>(column));
@@ -100,7 +102,8 @@ StripLevel coarser_level(const StripLevel& fine) {
 }  // namespace
 
 float standing_share(const StripDrawing& drawing) {
-  constexpr std::size_t kFewest = 25;  // one texel in so many: what stands higher is not worth its empty fragments
+  constexpr std::size_t kFewest =
+      25;  // one texel in so many: what stands higher is not worth its empty fragments
   const auto texels = static_cast<std::size_t>(drawing.columns);
   for (std::size_t row = static_cast<std::size_t>(drawing.rows); row-- > 0;) {
     std::size_t blades = 0;

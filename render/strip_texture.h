@@ -1,6 +1,6 @@
-// The strips' texture (G03 §3.4): for each species and each side from which a strip is seen, the program's own blades drawn
-// from the side, each with its rank in alpha, so that an alpha test shows the first so many. Colours are stored as
-// shares of their row's mean; strips are painted in the mean that 3D blades would show.
+// The strips' texture (G03 §3.4): for each species and each side from which a strip is seen, the program's
+// own blades drawn from the side, each with its rank in alpha, so that an alpha test shows the first so many.
+// Colours are stored as shares of their row's mean; strips are painted in the mean that 3D blades would show.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ struct StripLevel {
 /// Share of the rows, from the foot, above which there is hardly a blade.
 float standing_share(const StripDrawing& drawing);
 
-/// All levels of a layer, finest first. A coarse texel takes the rank of one of its four, so that at every threshold
-/// equally many texels are shown on all levels, and the mean of their colours.
+/// All levels of a layer, finest first. A coarse texel takes the rank of one of its four, so that at every
+/// threshold equally many texels are shown on all levels, and the mean of their colours.
 std::vector<StripLevel> strip_levels(const StripDrawing& drawing);
 
 }  // namespace prairie

@@ -93,7 +93,8 @@ void add(Lanes& sum, const Lanes& lanes, float share) {
 Lit lit_element(const SpeciesParams& species, const FrameParams& light, const SwardElements& elements,
                 std::size_t n) {
   const float place = elements.place[n];
-  return lit_at(species, light, Kernels{}.mixed(elements.root_albedo[n], elements.tip_albedo[n], place), place);
+  return lit_at(species, light, Kernels{}.mixed(elements.root_albedo[n], elements.tip_albedo[n], place),
+                place);
 }
 
 std::vector<Sheet> sheets_of(std::span<const SwardLayer> layers, const FrameParams& light) {

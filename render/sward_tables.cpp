@@ -28,7 +28,8 @@ double mean_density_per_m2(const Meadow& meadow, const NodeGrid& map) {
 GlTexture upload(const SwardResponse& response, std::vector<glm::vec4> SwardResponse::Colors::*table) {
   GlTexture texture = make_texture(GL_TEXTURE_3D);
   const int slices = SwardResponse::kDepths * static_cast<int>(1 + response.layers.size());
-  glTextureStorage3D(texture.get(), 1, GL_RGBA16F, SwardResponse::kElevations, SwardResponse::kAzimuths, slices);
+  glTextureStorage3D(texture.get(), 1, GL_RGBA16F, SwardResponse::kElevations, SwardResponse::kAzimuths,
+                     slices);
   const auto put = [&](int slice, const SwardResponse::Colors& colors) {
     glTextureSubImage3D(texture.get(), 0, 0, 0, slice, SwardResponse::kElevations, SwardResponse::kAzimuths,
                         SwardResponse::kDepths, GL_RGBA, GL_FLOAT, (colors.*table).data());

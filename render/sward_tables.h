@@ -12,8 +12,8 @@ namespace prairie {
 
 /// What the frame block tells of a field's blades.
 struct FieldLook {
-  glm::vec3 mean_albedo{0.0f};        // of its leaves
-  double projected_from_above = 0.5;  // leaf area seen straight from above per leaf area
+  glm::vec3 mean_albedo{0.0f};         // of its leaves
+  double projected_from_above = 0.5;   // leaf area seen straight from above per leaf area
   double density_per_leaf_area = 1.0;  // blades per square metre of leaf
   double height_m = 0.0;               // mean height of standing blades
   double blade_width_m = 0.0;

@@ -14,7 +14,8 @@ namespace {
 using Vectors = Kernels::ChainVectors;
 
 constexpr int kDirections = 4;
-// Loads over κ on each segment that move the tip of an upright blade by a fifth and by two thirds of its length.
+// Loads over κ on each segment that move the tip of an upright blade by a fifth and by two thirds of its
+// length.
 constexpr float kLightLoad = 0.04f, kHeavyLoad = 0.2f;
 
 Vectors load_towards(glm::vec3 direction, float load) {
@@ -26,7 +27,8 @@ float virtual_tip(const SpeciesParams& species, float load) {
   const glm::vec3 up(0.0f, 0.0f, 1.0f), east(1.0f, 0.0f, 0.0f);
   const Vectors rest{up, up, up, up};
   const float compliance = 1.0f / std::max(species.stiffness, kernels.softest_chain());
-  const Vectors along = kernels.chain_directions(rest, kernels.virtual_turns(rest, load_towards(east, load), compliance));
+  const Vectors along =
+      kernels.chain_directions(rest, kernels.virtual_turns(rest, load_towards(east, load), compliance));
   return 0.25f * glm::dot(along.v1 + along.v2 + along.v3 + along.v4, east);
 }
 
@@ -43,7 +45,8 @@ Point moved_by(const SpeciesParams& species, const std::vector<Blade>& blades, f
     for (int n = 0; n < kDirections; ++n) {
       const double azimuth = 2.0 * std::numbers::pi * n / kDirections;
       const glm::vec3 direction(glm::dvec3(std::cos(azimuth), std::sin(azimuth), 0.0));
-      const glm::vec3 moved = kernels.virtual_pose(blade, rest, 1.0f, load_towards(direction, load)).p4 - still_m;
+      const glm::vec3 moved =
+          kernels.virtual_pose(blade, rest, 1.0f, load_towards(direction, load)).p4 - still_m;
       moved_m += static_cast<double>(glm::dot(moved, direction));
       length_m += static_cast<double>(blade.height_m);
     }

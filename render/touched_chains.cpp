@@ -10,8 +10,8 @@ constexpr GLuint kCellUnit = 10, kSlotUnit = 11, kChainUnit = 12;
 
 void append(const Kernels::BladeChain& chain, std::vector<float>& out) {
   const std::size_t first = out.size();
-  for (const glm::vec3& v : {chain.p0, chain.p1, chain.p2, chain.p3, chain.p4, chain.m0, chain.m1, chain.m2, chain.m3,
-                             chain.m4, chain.side})
+  for (const glm::vec3& v : {chain.p0, chain.p1, chain.p2, chain.p3, chain.p4, chain.m0, chain.m1, chain.m2,
+                             chain.m3, chain.m4, chain.side})
     out.insert(out.end(), {v.x, v.y, v.z});
   out.resize(first + kWords, 0.0f);
 }
@@ -26,7 +26,8 @@ void TouchedChains::set(StreamBuffer& stream, const TouchedBlades& blades) {
   chains_.clear();
   chains_.reserve(kWords * blades.chains().size());
   for (const TouchedGroup& group : blades.groups()) {
-    if (std::all_of(group.slots.begin(), group.slots.end(), [](std::uint32_t slot) { return slot == 0; })) continue;
+    if (std::all_of(group.slots.begin(), group.slots.end(), [](std::uint32_t slot) { return slot == 0; }))
+      continue;
     first_slots_[packed(group.key)] = static_cast<std::uint32_t>(slots_.size());
     slots_.insert(slots_.end(), group.slots.begin(), group.slots.end());
   }

@@ -1,4 +1,5 @@
-// Blades that move by themselves (animation/touched_blades.h) where shaders find them (shaders/pass/touched_blades.glsl).
+// Blades that move by themselves (animation/touched_blades.h) where shaders find them
+// (shaders/pass/touched_blades.glsl).
 #pragma once
 
 #include <cstdint>

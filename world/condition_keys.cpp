@@ -28,13 +28,15 @@ constexpr NumberKey kNumberKeys[] = {
 
 Condition read_condition(TableReader& table) {
   Condition condition;
-  if (const auto centre_m = table.pair("centre_m", kPositionM)) condition.centre_m = {(*centre_m)[0], (*centre_m)[1]};
+  if (const auto centre_m = table.pair("centre_m", kPositionM))
+    condition.centre_m = {(*centre_m)[0], (*centre_m)[1]};
   if (const auto velocity = table.pair("velocity_m_per_s", kSpeedMPerS))
     condition.velocity_m_per_s = {(*velocity)[0], (*velocity)[1]};
   condition.radius_m = table.any_number("radius_m").value_or(condition.radius_m);
   // A small disc is all edge.
   condition.edge_m = table.any_number("edge_m").value_or(std::min(condition.edge_m, condition.radius_m));
-  for (const auto& [key, member] : kNumberKeys) condition.*member = table.any_number(key).value_or(condition.*member);
+  for (const auto& [key, member] : kNumberKeys)
+    condition.*member = table.any_number(key).value_or(condition.*member);
   condition.color_factor = table.color("color_factor", {0.0, 4.0}).value_or(condition.color_factor);
   table.refuse_unknown_keys();
   check_by(table, ": ", [&] { check(condition, ""); });

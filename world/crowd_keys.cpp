@@ -67,7 +67,8 @@ Wall read_wall(TableReader& table) {
   Wall wall;
   wall.outline.outer_m = read_points(table, "outline_m", {3, kMaxPathPoints});
   wall.outline.holes_m = read_point_lists(table, "holes_m", {3, kMaxPathPoints});
-  if (const auto side = table.choice("walkers", {"inside", "outside"})) wall.walkers = static_cast<WallSide>(*side);
+  if (const auto side = table.choice("walkers", {"inside", "outside"}))
+    wall.walkers = static_cast<WallSide>(*side);
   wall.height_m = table.any_number("height_m").value_or(wall.height_m);
   return wall;
 }
@@ -91,7 +92,8 @@ std::vector<Goal> read_goal_names(TableReader& table, const std::vector<GoalSpec
   if (list == nullptr || list->size() > kMostGoals) table.refuse("goals", expected);
   for (const toml::node& element : *list) {
     const auto name = element.value<std::string>();
-    const auto found = std::find_if(known.begin(), known.end(), [&](const GoalSpec& one) { return name && one.name == *name; });
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const GoalSpec& one) { return name && one.name == *name; });
     if (found == known.end()) table.refuse("goals", name ? printable(*name) : "no text", expected);
     goals.push_back(found->goal);
   }
@@ -111,7 +113,8 @@ constexpr NumberKey kGroupKeys[] = {
     {"sensor_m", &WalkerGroup::sensor_m},           {"noise", &WalkerGroup::noise},
 };
 
-WalkerGroup read_group(TableReader& table, const std::vector<GoalSpec>& goals, const std::vector<std::string>& taken) {
+WalkerGroup read_group(TableReader& table, const std::vector<GoalSpec>& goals,
+                       const std::vector<std::string>& taken) {
   WalkerGroup group;
   group.name = read_name(table, taken);
   if (const auto count = table.integer("count", 0, std::numeric_limits<std::uint32_t>::max()))
@@ -163,7 +166,8 @@ void read_crowd(TableReader& root, Scene& scene) {
     check_by(table, "", [&] { check(group); });
     walkers += group.count;
     if (walkers > kMostWalkers)
-      table.refuse("count", fmt::format("{} walkers in all", walkers), fmt::format("at most {}", kMostWalkers));
+      table.refuse("count", fmt::format("{} walkers in all", walkers),
+                   fmt::format("at most {}", kMostWalkers));
   }
 }
 

@@ -1,4 +1,5 @@
-// Who walks and what stands in the way: the sections [[obstacle]], [[wall]], [[goal]] and [[walkers]] of a scene.
+// Who walks and what stands in the way: the sections [[obstacle]], [[wall]], [[goal]] and [[walkers]] of a
+// scene.
 #pragma once
 
 #include "world/scene.h"

@@ -27,7 +27,8 @@ double effort_at(const Meadow& meadow, glm::dvec2 position_m) {
     weighted_height_m += area * height_m;
   }
   if (!(leaf_area > 0.0)) return 1.0;
-  const double cover = 1.0 - static_cast<double>(Kernels{}.falling_exponential(static_cast<float>(leaf_area)));
+  const double cover =
+      1.0 - static_cast<double>(Kernels{}.falling_exponential(static_cast<float>(leaf_area)));
   return std::min(1.0 + kPerMetre * cover * weighted_height_m / leaf_area, kMostEffort);
 }
 

@@ -13,8 +13,9 @@
 namespace prairie {
 
 template <class Number>
-concept FixedWidth = (std::integral<Number> || std::same_as<Number, float> || std::same_as<Number, double>) &&
-                     (sizeof(Number) == 1 || sizeof(Number) == 4 || sizeof(Number) == 8);
+concept FixedWidth = (std::integral<Number> || std::same_as<Number, float> ||
+                      std::same_as<Number, double>)&&(sizeof(Number) == 1 || sizeof(Number) == 4 ||
+                                                      sizeof(Number) == 8);
 
 template <FixedWidth Number>
 using BitsOf = std::conditional_t<sizeof(Number) == 1, std::uint8_t,
@@ -36,7 +37,8 @@ Number little_endian(std::span<const std::byte> from) {
   assert(from.size() == sizeof(Number));
   BitsOf<Number> bits = 0;
   for (std::size_t n = 0; n < sizeof(Number); ++n)
-    bits = static_cast<BitsOf<Number>>(bits | (BitsOf<Number>{std::to_integer<std::uint8_t>(from[n])} << (8 * n)));
+    bits = static_cast<BitsOf<Number>>(bits |
+                                       (BitsOf<Number>{std::to_integer<std::uint8_t>(from[n])} << (8 * n)));
   return std::bit_cast<Number>(bits);
 }
 

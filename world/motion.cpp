@@ -29,7 +29,8 @@ double mean_density_per_m2(const PlantedSpecies& planted, glm::dvec2 extent_m) {
   double sum = 0.0;
   for (int j = 0; j < kSamples; ++j) {
     for (int i = 0; i < kSamples; ++i) {
-      const float density = planted.density_per_m2.sample(extent_m * (glm::dvec2(i, j) + 0.5) / double{kSamples});
+      const float density =
+          planted.density_per_m2.sample(extent_m * (glm::dvec2(i, j) + 0.5) / double{kSamples});
       if (std::isfinite(density)) sum += static_cast<double>(density);
     }
   }
@@ -54,12 +55,13 @@ std::vector<SwaySpecies> sway_species(const Scene& scene, const Meadow& meadow) 
   return species;
 }
 
-// Behind the scene's own, which stay: a state of an earlier time may bring them back. Those that are over, and the oldest of too
-// many, go.
+// Behind the scene's own, which stay: a state of an earlier time may bring them back. Those that are over,
+// and the oldest of too many, go.
 template <class Spawned>
 void add_spawned(std::vector<Spawned>& all, std::size_t of_scene, const Spawned& one, double time_s) {
   const auto first = all.begin() + static_cast<std::ptrdiff_t>(of_scene);
-  all.erase(std::remove_if(first, all.end(), [&](const Spawned& old) { return end_s(old) < time_s; }), all.end());
+  all.erase(std::remove_if(first, all.end(), [&](const Spawned& old) { return end_s(old) < time_s; }),
+            all.end());
   if (all.size() >= of_scene + kMostSpawned) all.erase(all.begin() + static_cast<std::ptrdiff_t>(of_scene));
   all.push_back(one);
 }
@@ -125,7 +127,8 @@ void Motion::stir() {
   wind_.wake->step(*eye_m_, time_s());
   if (sway_) return;
   const std::vector<glm::vec2>& velocities = wind_.wake->state().velocities_m_per_s;
-  if (std::ranges::any_of(velocities, [](glm::vec2 velocity) { return velocity != glm::vec2(0.0f); })) begin_to_sway();
+  if (std::ranges::any_of(velocities, [](glm::vec2 velocity) { return velocity != glm::vec2(0.0f); }))
+    begin_to_sway();
 }
 
 void Motion::watch_anew(glm::dvec2 eye_m) {
@@ -136,14 +139,16 @@ void Motion::watch_anew(glm::dvec2 eye_m) {
   if (!blows()) return;
   // In what has come over the grass by now, as if it had long been there.
   begin_to_sway();
-  const std::optional<CameraWake> wake = std::exchange(wind_.wake, std::nullopt);  // of another time and place
+  const std::optional<CameraWake> wake =
+      std::exchange(wind_.wake, std::nullopt);  // of another time and place
   for (std::int64_t n = kWarmUpSteps; n-- > 0;)
     sway_->step(wind_, seconds_of(ticks_ - n * kWarmUpTicks), static_cast<float>(seconds_of(kWarmUpTicks)));
   wind_.wake = wake;
 }
 
 void Motion::watch(glm::dvec2 eye_m) {
-  const bool has_jumped = !eye_m_ || glm::any(glm::greaterThan(glm::abs(eye_m - *eye_m_), glm::dvec2(kJumpM)));
+  const bool has_jumped =
+      !eye_m_ || glm::any(glm::greaterThan(glm::abs(eye_m - *eye_m_), glm::dvec2(kJumpM)));
   if (has_jumped) return watch_anew(eye_m);
   eye_m_ = eye_m;
   if (sway_) sway_->follow(eye_m);
@@ -189,11 +194,13 @@ void Motion::restore(const Meadow& meadow, MotionState state) {
     throw BadInput("", "eye_m", "moving blades without an eye", "an eye that watches them");
   }
   if (state.sway) {
-    const std::size_t count = layouts::kSwayLevels * species_.size() * layouts::kSwaySide * layouts::kSwaySide;
+    const std::size_t count =
+        layouts::kSwayLevels * species_.size() * layouts::kSwaySide * layouts::kSwaySide;
     if (state.sway->motions.size() != count)
       throw BadInput("", "sway", fmt::format("{} blades", state.sway->motions.size()),
                      fmt::format("{}, for this scene's species", count));
-    if (state.sway->centre_m != *state.eye_m) throw BadInput("", "sway.centre_m", "another place", "the eye's");
+    if (state.sway->centre_m != *state.eye_m)
+      throw BadInput("", "sway.centre_m", "another place", "the eye's");
     check_state(*state.sway);
   }
   TouchedBlades touched;

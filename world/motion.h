@@ -1,6 +1,6 @@
-// What time moves in a world: the wind, the trodden grass, what comes over the grass, and around the eye that watches,
-// the swaying of blades (design.md, D4). A step is the same for any number of threads, and any state can be taken out,
-// kept and restored.
+// What time moves in a world: the wind, the trodden grass, what comes over the grass, and around the eye that
+// watches, the swaying of blades (design.md, D4). A step is the same for any number of threads, and any state
+// can be taken out, kept and restored.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ inline double seconds_of(std::int64_t ticks) {
   return static_cast<double>(ticks) / static_cast<double>(kTicksPerS);
 }
 
-/// All that changes but the camera's wake and winds and conditions that were spawned or set, which belong to a person at
-/// a window; plain data.
+/// All that changes but the camera's wake and winds and conditions that were spawned or set, which belong to
+/// a person at a window; plain data.
 struct MotionState {
   std::int64_t ticks = 0;
   TreadState treading;
@@ -52,7 +52,9 @@ class Motion {
   /// Blades near the eye that movers have touched.
   const TouchedBlades& touched() const { return touched_; }
   /// What has come over the grass around the eye; null where nothing ever does, or as long as nobody watches.
-  const ConditionWindow* conditions() const { return eye_m_ && condition_window_ ? &*condition_window_ : nullptr; }
+  const ConditionWindow* conditions() const {
+    return eye_m_ && condition_window_ ? &*condition_window_ : nullptr;
+  }
   /// Neither wind nor treads nor conditions: grass looks as it was planted.
   bool is_still() const { return !sway_ && conditions() == nullptr && treading_.bytes() == 0; }
 
@@ -63,12 +65,12 @@ class Motion {
   /// Replaces the steady wind and its turbulence from now on; primitives stay.
   void set_wind(const MeanWind& mean, const std::optional<NoiseWind>& noise);
 
-  /// From now on the eye that watches stirs the air as it moves (animation/camera_wake.h), or no longer. What it stirs is no
-  /// part of the state: restoring one ends it.
+  /// From now on the eye that watches stirs the air as it moves (animation/camera_wake.h), or no longer. What
+  /// it stirs is no part of the state: restoring one ends it.
   void wake(bool stirs);
 
-  /// An eye above that place looks for the first time: blades around it sway as they would have for some seconds, which
-  /// makes what it sees a function of place and time alone.
+  /// An eye above that place looks for the first time: blades around it sway as they would have for some
+  /// seconds, which makes what it sees a function of place and time alone.
   void watch_anew(glm::dvec2 eye_m);
   /// The eye has moved.
   void watch(glm::dvec2 eye_m);
@@ -76,8 +78,10 @@ class Motion {
   /// What stands in the grass has stood there before the eye came.
   void meet(const Meadow& meadow, std::span<const Solid> solids);
 
-  /// Moves everything on by so many ticks while bodies make their steps; afterwards solids lie where they lie.
-  void step(const Meadow& meadow, std::int64_t ticks, std::span<const TreadStep> bodies, std::span<const Solid> solids);
+  /// Moves everything on by so many ticks while bodies make their steps; afterwards solids lie where they
+  /// lie.
+  void step(const Meadow& meadow, std::int64_t ticks, std::span<const TreadStep> bodies,
+            std::span<const Solid> solids);
 
   MotionState state() const;
   /// Throws BadInput, and changes nothing, if the state cannot be one of this scene.

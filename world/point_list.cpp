@@ -11,15 +11,18 @@ std::string expected(PointCounts counts) {
   return fmt::format("{} to {} points [[x, y], …] in metres", counts.least, counts.most);
 }
 
-std::vector<glm::dvec2> points_of(const TableReader& table, std::string_view key, const toml::node& value, PointCounts counts) {
+std::vector<glm::dvec2> points_of(const TableReader& table, std::string_view key, const toml::node& value,
+                                  PointCounts counts) {
   const auto* list = value.as_array();
-  if (list == nullptr || list->size() < counts.least || list->size() > counts.most) table.refuse(key, expected(counts));
+  if (list == nullptr || list->size() < counts.least || list->size() > counts.most)
+    table.refuse(key, expected(counts));
   std::vector<glm::dvec2> points_m;
   for (const toml::node& element : *list) {
     const auto* point = element.as_array();
     if (point == nullptr || point->size() != 2)
       table.refuse(key, fmt::format("no [x, y] as point {}", points_m.size()), expected(counts));
-    points_m.emplace_back(table.checked_number(key, (*point)[0], kPositionM), table.checked_number(key, (*point)[1], kPositionM));
+    points_m.emplace_back(table.checked_number(key, (*point)[0], kPositionM),
+                          table.checked_number(key, (*point)[1], kPositionM));
   }
   return points_m;
 }
@@ -32,7 +35,8 @@ std::vector<glm::dvec2> read_points(TableReader& table, std::string_view key, Po
   return points_of(table, key, *value, counts);
 }
 
-std::vector<std::vector<glm::dvec2>> read_point_lists(TableReader& table, std::string_view key, PointCounts counts) {
+std::vector<std::vector<glm::dvec2>> read_point_lists(TableReader& table, std::string_view key,
+                                                      PointCounts counts) {
   std::vector<std::vector<glm::dvec2>> lists;
   const toml::node* value = table.node(key);
   if (value == nullptr) return lists;

@@ -19,7 +19,8 @@ struct PointCounts {
 std::vector<glm::dvec2> read_points(TableReader& table, std::string_view key, PointCounts counts);
 
 /// An array of such lists; empty where the key is absent.
-std::vector<std::vector<glm::dvec2>> read_point_lists(TableReader& table, std::string_view key, PointCounts counts);
+std::vector<std::vector<glm::dvec2>> read_point_lists(TableReader& table, std::string_view key,
+                                                      PointCounts counts);
 
 /// The required key `key`: [x, y] within what scenes may span.
 glm::dvec2 need_place(TableReader& table, std::string_view key);

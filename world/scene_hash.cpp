@@ -204,8 +204,8 @@ void add_walkers(CanonicalText& text, const WalkerGroup& group) {
   }
   text.add("centre_m", group.centre_m);
   for (const glm::dvec2 start_m : group.starts_m) text.add("start_m", start_m);
-  for (const double value : {group.radius_m, group.speed_m_per_s, group.speed_spread, group.height_m, group.height_spread,
-                             group.body_radius_m, group.sensor_m, group.noise}) {
+  for (const double value : {group.radius_m, group.speed_m_per_s, group.speed_spread, group.height_m,
+                             group.height_spread, group.body_radius_m, group.sensor_m, group.noise}) {
     text.add("parameter", value);
   }
 }
@@ -267,8 +267,10 @@ std::uint64_t motion_hash_with(std::uint64_t motion_hash, const std::vector<Trac
   text.add("scene", motion_hash);
   for (const Track& track : tracks) {
     text.add("track", static_cast<std::uint64_t>(track.id));
-    text.add("times", std::uint64_t{XXH3_64bits(track.times_s.data(), track.times_s.size() * sizeof(double))});
-    text.add("places", std::uint64_t{XXH3_64bits(track.positions_m.data(), track.positions_m.size() * sizeof(glm::dvec2))});
+    text.add("times",
+             std::uint64_t{XXH3_64bits(track.times_s.data(), track.times_s.size() * sizeof(double))});
+    text.add("places", std::uint64_t{XXH3_64bits(track.positions_m.data(),
+                                                 track.positions_m.size() * sizeof(glm::dvec2))});
   }
   return text.hash();
 }

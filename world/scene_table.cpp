@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "world/condition_keys.h"
+#include "world/crowd_keys.h"
 #include "world/motion_keys.h"
 #include "world/scene_names.h"
 #include "world/species_keys.h"
-#include "world/crowd_keys.h"
 #include "world/wind_keys.h"
 
 namespace prairie {

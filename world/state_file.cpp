@@ -41,7 +41,8 @@ std::uint64_t size_of(const WorldState& world) {
   const MotionState& state = world.motion;
   std::uint64_t size = kStateHeaderBytes + 8 + kSettingsBytes + 8 + 8 + 4 + 4 + 8 + 8;
   size += world.walkers.size() * kWalkerBytes;
-  size += state.treading.nodes.pages().size() * kTreadPageBytes + state.treading.wear.pages().size() * kWearPageBytes;
+  size += state.treading.nodes.pages().size() * kTreadPageBytes +
+          state.treading.wear.pages().size() * kWearPageBytes;
   if (state.eye_m) size += 16;
   if (state.sway) size += 8 + state.sway->motions.size() * kMotionBytes;
   for (const auto& [id, blades] : state.touched) size += kCellBytes + blades.size() * kBladeBytes;
@@ -78,8 +79,8 @@ class Writer {
       put(foot.share, foot.lift_phase);
     }
     const Memory& memory = walker.memory;
-    put(memory.turn, memory.turned_s, memory.goal, memory.goal_since_s, memory.met_m, memory.met_s, memory.moved_s,
-        memory.backs_off_until_s);
+    put(memory.turn, memory.turned_s, memory.goal, memory.goal_since_s, memory.met_m, memory.met_s,
+        memory.moved_s, memory.backs_off_until_s);
   }
 
   std::vector<std::byte> take() { return std::move(bytes_); }
@@ -161,7 +162,9 @@ class Reader {
     memory.turn = number<std::int32_t>();
     memory.turned_s = number<double>();
     memory.goal = number<std::int32_t>();
-    for (double* value : {&memory.goal_since_s, &memory.met_m, &memory.met_s, &memory.moved_s, &memory.backs_off_until_s}) *value = number<double>();
+    for (double* value :
+         {&memory.goal_since_s, &memory.met_m, &memory.met_s, &memory.moved_s, &memory.backs_off_until_s})
+      *value = number<double>();
     return walker;
   }
 
@@ -186,8 +189,9 @@ std::span<const std::byte> checked_body(std::span<const std::byte> bytes, const 
     throw BadInput(file, "", found, expected);
   };
   const std::size_t lead = std::min(bytes.size(), kMagic.size());
-  const bool is_state = lead > 0 && std::equal(kMagic.begin(), kMagic.begin() + static_cast<std::ptrdiff_t>(lead),
-                                               bytes.begin(), [](auto a, auto b) { return std::byte{a} == b; });
+  const bool is_state =
+      lead > 0 && std::equal(kMagic.begin(), kMagic.begin() + static_cast<std::ptrdiff_t>(lead),
+                             bytes.begin(), [](auto a, auto b) { return std::byte{a} == b; });
   if (!is_state) refuse("no state", "a file that --save-state wrote");
   if (bytes.size() < kStateHeaderBytes)
     refuse(fmt::format("a state cut short, {} bytes", bytes.size()), "the whole file");
@@ -197,14 +201,17 @@ std::span<const std::byte> checked_body(std::span<const std::byte> bytes, const 
            fmt::format("version {}", kVersion));
   const auto length = little_endian<std::uint64_t>(bytes.subspan(kLengthAt, 8));
   if (length > bytes.size())
-    refuse(fmt::format("a state cut short, {} bytes", bytes.size()), fmt::format("the whole file, {} bytes", length));
+    refuse(fmt::format("a state cut short, {} bytes", bytes.size()),
+           fmt::format("the whole file, {} bytes", length));
   if (length < bytes.size())
     refuse(fmt::format("{} bytes", bytes.size()), fmt::format("a state that ends after {}", length));
   if (little_endian<std::uint64_t>(bytes.subspan(kChecksumAt, 8)) != checksum(bytes))
     refuse("a damaged state: its checksum is another", "the file as it was written");
   const auto hash = little_endian<std::uint64_t>(bytes.subspan(kHashAt, 8));
   if (hash != owner.motion_hash)
-    refuse(fmt::format("a state of another scene, or of this one with other maps, settings or seed (hash {:016x})", hash),
+    refuse(fmt::format(
+               "a state of another scene, or of this one with other maps, settings or seed (hash {:016x})",
+               hash),
            fmt::format("one of this scene as it is (hash {:016x})", owner.motion_hash));
   return bytes.subspan(kStateHeaderBytes);
 }
@@ -235,7 +242,8 @@ void read_pages(Reader& reader, std::size_t page_bytes, NodeField<Node>& field, 
     PageIndex index;
     index.j = reader.number<std::int32_t>();
     index.i = reader.number<std::int32_t>();
-    if (last && !(*last < index)) reader.refuse("pages out of order or twice", "each once, from south to north");
+    if (last && !(*last < index))
+      reader.refuse("pages out of order or twice", "each once, from south to north");
     last = index;
     for (Node& node : field.touch_page(index)) read(node);
   }
@@ -267,13 +275,14 @@ std::vector<std::byte> state_bytes(const WorldState& world, const StateOwner& ow
   writer.put(kVersion, std::uint64_t{0}, std::uint64_t{0}, owner.motion_hash);
   writer.put(state.ticks);
   const TreadSettings& s = owner.treading;
-  writer.put(s.spacing_m, s.reach_radii, s.recovery_s, s.field_scale, s.most_tilt_rad, s.load_slowing, s.worn_slowing,
-             s.wear_passes, s.worn_field);
+  writer.put(s.spacing_m, s.reach_radii, s.recovery_s, s.field_scale, s.most_tilt_rad, s.load_slowing,
+             s.worn_slowing, s.wear_passes, s.worn_field);
   writer.put_count(state.treading.nodes.pages().size());
   for (const auto& [page, nodes] : state.treading.nodes.pages()) {
     writer.put(std::int32_t{page.j}, std::int32_t{page.i});
     for (const TreadNode& node : nodes)
-      writer.put(node.start_s, node.field, node.recovery_s, node.blades_recovery_s, node.direction.x, node.direction.y);
+      writer.put(node.start_s, node.field, node.recovery_s, node.blades_recovery_s, node.direction.x,
+                 node.direction.y);
   }
   writer.put_count(state.treading.wear.pages().size());
   for (const auto& [page, wear] : state.treading.wear.pages()) {
@@ -314,17 +323,20 @@ WorldState parse_state(std::span<const std::byte> bytes, const StateOwner& owner
   check_settings(reader, owner.treading);
   const double spacing_m = owner.treading.spacing_m;
   WorldState world{
-      {ticks, {seconds_of(ticks), NodeField<TreadNode>(spacing_m), NodeField<float>(spacing_m)}, {}, {}, {}}, {}};
+      {ticks, {seconds_of(ticks), NodeField<TreadNode>(spacing_m), NodeField<float>(spacing_m)}, {}, {}, {}},
+      {}};
   MotionState& state = world.motion;
 
   reader.enter("trodden");
   read_pages(reader, kTreadPageBytes, state.treading.nodes, [&](TreadNode& node) {
     node.start_s = reader.number<double>();
-    for (float* number : {&node.field, &node.recovery_s, &node.blades_recovery_s, &node.direction.x, &node.direction.y})
+    for (float* number :
+         {&node.field, &node.recovery_s, &node.blades_recovery_s, &node.direction.x, &node.direction.y})
       *number = reader.number<float>();
   });
   reader.enter("worn");
-  read_pages(reader, kWearPageBytes, state.treading.wear, [&](float& wear) { wear = reader.number<float>(); });
+  read_pages(reader, kWearPageBytes, state.treading.wear,
+             [&](float& wear) { wear = reader.number<float>(); });
 
   reader.enter("eye");
   if (reader.flag()) state.eye_m = reader.place();

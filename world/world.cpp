@@ -83,7 +83,8 @@ Crowd crowd_of(const Scene& scene, const Meadow& meadow, const Gait& gait) {
     return Crowd(scene.walkers, footprints_of(scene.standing, meadow.ground), gait, scene.seed);
   } catch (const BadInput& fault) {
     // The crowd knows no files.
-    throw BadInput((scene.folder / kSceneFileName).string(), "walkers." + fault.field, fault.found, fault.expected);
+    throw BadInput((scene.folder / kSceneFileName).string(), "walkers." + fault.field, fault.found,
+                   fault.expected);
   }
 }
 
@@ -143,8 +144,9 @@ void World::step(double wanted_s) {
   for (const DrivenMover& driven : driven_) add(driven.kind, driven.radius_m, driven.before, driven.place);
   const double dt_s = seconds_of(ticks);
   const auto effort = [this](glm::dvec2 place_m) { return effort_at(meadow_, place_m); };
-  const std::vector<TreadStep> feet = replay_ ? replay_->step(meadow_.ground, to_s, dt_s, kFirstWalkerTread)
-                                              : crowd_.step({meadow_.ground, footprints, effort}, from_s, dt_s, kFirstWalkerTread);
+  const std::vector<TreadStep> feet =
+      replay_ ? replay_->step(meadow_.ground, to_s, dt_s, kFirstWalkerTread)
+              : crowd_.step({meadow_.ground, footprints, effort}, from_s, dt_s, kFirstWalkerTread);
   bodies.insert(bodies.end(), feet.begin(), feet.end());
   motion_->step(meadow_, ticks, bodies, solids);
   for (DrivenMover& driven : driven_) driven.before = driven.place;
@@ -163,12 +165,14 @@ std::vector<Percept> World::percepts() const {
     const MoverPath& path = mover.path();
     footprints.push_back(footprint_of(path.kind, path.radius_m, mover.place(meadow_.ground, time_s())));
   }
-  for (const DrivenMover& driven : driven_) footprints.push_back(footprint_of(driven.kind, driven.radius_m, driven.place));
+  for (const DrivenMover& driven : driven_)
+    footprints.push_back(footprint_of(driven.kind, driven.radius_m, driven.place));
   return crowd_.percepts(footprints);
 }
 
 std::vector<std::byte> World::saved_state() const {
-  return state_bytes({motion_->state(), {walkers().begin(), walkers().end()}}, {motion_hash_, scene_.treading});
+  return state_bytes({motion_->state(), {walkers().begin(), walkers().end()}},
+                     {motion_hash_, scene_.treading});
 }
 
 void World::load_state(std::span<const std::byte> bytes, const std::string& file) {

@@ -49,7 +49,8 @@ class World {
   /// As the scene has them, in its order.
   const std::vector<Mover>& movers() const { return movers_; }
 
-  /// Movers whose places are set from outside; each step takes them from where the last one left them to where they are.
+  /// Movers whose places are set from outside; each step takes them from where the last one left them to
+  /// where they are.
   const std::vector<DrivenMover>& driven() const { return driven_; }
   std::vector<DrivenMover>& driven() { return driven_; }
 
@@ -61,30 +62,35 @@ class World {
   const std::optional<ReplayedWalkers>& replayed() const { return replay_; }
   /// All that walk, whichever they are; those that are not present are not to be seen now.
   std::span<const Walker> walkers() const { return replay_ ? replay_->walkers() : crowd_.walkers(); }
-  std::span<const WalkerTraits> walker_traits() const { return replay_ ? replay_->traits() : crowd_.traits(); }
+  std::span<const WalkerTraits> walker_traits() const {
+    return replay_ ? replay_->traits() : crowd_.traits();
+  }
   bool is_present(std::size_t walker) const { return !replay_ || replay_->is_present(walker); }
   const Gait& gait() const { return replay_ ? replay_->gait() : crowd_.gait(); }
-  /// Walkers move along these from the scene's beginning on, instead of the scene's own. To be called before any step. Throws
-  /// BadInput on more than kMostWalkers tracks.
+  /// Walkers move along these from the scene's beginning on, instead of the scene's own. To be called before
+  /// any step. Throws BadInput on more than kMostWalkers tracks.
   void replay(std::vector<Track> tracks);
   /// What each of the crowd perceives now.
   std::vector<Percept> percepts() const;
 
-  /// What time moves. `watch` tells it where the eye is; without one nothing is simulated that only an eye would see.
+  /// What time moves. `watch` tells it where the eye is; without one nothing is simulated that only an eye
+  /// would see.
   const Motion& motion() const { return *motion_; }
   Motion& motion() { return *motion_; }
 
-  /// An eye above that place looks for the first time (Motion::watch_anew), at blades that its movers have bent aside.
+  /// An eye above that place looks for the first time (Motion::watch_anew), at blades that its movers have
+  /// bent aside.
   void watch_anew(glm::dvec2 eye_m);
 
   /// Advances the world, its movers included, by a step of more than zero and at most a tenth of a second.
   void step(double dt_s);
   double time_s() const { return motion_->time_s(); }
 
-  /// What time has moved, as the bytes of a state file (world/state_file.h). Throws OverBudget if those are too many.
+  /// What time has moved, as the bytes of a state file (world/state_file.h). Throws OverBudget if those are
+  /// too many.
   std::vector<std::byte> saved_state() const;
-  /// Goes on from such bytes. Throws BadInput, which names `file`, and changes nothing, if they are not a state of this
-  /// scene.
+  /// Goes on from such bytes. Throws BadInput, which names `file`, and changes nothing, if they are not a
+  /// state of this scene.
   void load_state(std::span<const std::byte> bytes, const std::string& file);
 
  private:

@@ -1,9 +1,9 @@
-// The ground inside a cell: the biquadratic surface through 3 × 3 heights (generator/cell_table.h; a texel a row,
-// from south), relative to the tile's base. It meets its neighbours' without a step.
+// The ground inside a cell: the biquadratic surface through 3 × 3 heights (generator/cell_table.h; a texel a
+// row, from south), relative to the tile's base. It meets its neighbours' without a step.
 
 struct GroundPoint {
   float height_m;
-  vec2 slope;       // ∂z/∂x, ∂z/∂y
+  vec2 slope;  // ∂z/∂x, ∂z/∂y
 };
 
 GroundPoint ground_in_cell(uint table, float side_m, vec2 local_m) {

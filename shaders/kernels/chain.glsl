@@ -1,18 +1,20 @@
-// The spline blade: a chain of four equal segments that hangs in equilibrium, and the cubic spline through its joints
-// (B11 §2.1, §3.1). Rest shape: the arc of pose_blade, springs relaxed. A joint stands for the bending of the half segments
-// on either side of it; the lowest has only one, the other being in the ground, and so half the rest angle and twice the
-// spring constant. Then the foot stays in its direction, and the chain buckles where a beam does.
-// Lengths are in half segments l, forces in weights m g of a segment, `stiffness` is k/(m g l). In equilibrium the
-// equations of §3.1 reduce to k_i ψ_i = Σ_{j≥i} (c_j − r_i) × f_j: unlike B11's simplified chain this keeps the weight of
-// the segments above, without which a chain sags 10 to 30 times too little.
-// Deviations: the rotation of a segment out of its place at rest is the sum of the rotation vectors of the joints below it,
-// exact in a plane; elsewhere it leaves out that rotations do not commute. Two corrected fixed-point steps stand for the
-// solution: they are as close as three plain ones. The tip is off by at most 0.4 % of the length for stiffness 60 and by
-// 1.5 % for 40, for upright blades a third of that. Blades softer than softest_chain() hang as if they had that
-// stiffness, since upright ones would buckle. Joints lie closer than a quarter of the blade's length by what the curve
-// through them is longer than its chords.
+// The spline blade: a chain of four equal segments that hangs in equilibrium, and the cubic spline through
+// its joints (B11 §2.1, §3.1). Rest shape: the arc of pose_blade, springs relaxed. A joint stands for the
+// bending of the half segments on either side of it; the lowest has only one, the other being in the ground,
+// and so half the rest angle and twice the spring constant. Then the foot stays in its direction, and the
+// chain buckles where a beam does. Lengths are in half segments l, forces in weights m g of a segment,
+// `stiffness` is k/(m g l). In equilibrium the equations of §3.1 reduce to k_i ψ_i = Σ_{j≥i} (c_j − r_i) ×
+// f_j: unlike B11's simplified chain this keeps the weight of the segments above, without which a chain sags
+// 10 to 30 times too little. Deviations: the rotation of a segment out of its place at rest is the sum of the
+// rotation vectors of the joints below it, exact in a plane; elsewhere it leaves out that rotations do not
+// commute. Two corrected fixed-point steps stand for the solution: they are as close as three plain ones. The
+// tip is off by at most 0.4 % of the length for stiffness 60 and by 1.5 % for 40, for upright blades a third
+// of that. Blades softer than softest_chain() hang as if they had that stiffness, since upright ones would
+// buckle. Joints lie closer than a quarter of the blade's length by what the curve through them is longer
+// than its chords.
 
-// The joints, and the derivatives there of the spline by its parameter u, which grows by ¼ from joint to joint.
+// The joints, and the derivatives there of the spline by its parameter u, which grows by ¼ from joint to
+// joint.
 struct BladeChain {
   vec3 p0;
   vec3 p1;
@@ -35,8 +37,8 @@ struct ChainVectors {
   vec3 v4;
 };
 
-// v turned by a rotation vector; exact to 1e-4 rad up to 1 rad, and never by more than π. With b = tan(|a|/2) a/|a| it is
-// v + 2/(1 + b²) b × (v + b × v).
+// v turned by a rotation vector; exact to 1e-4 rad up to 1 rad, and never by more than π. With b = tan(|a|/2)
+// a/|a| it is v + 2/(1 + b²) b × (v + b × v).
 vec3 turned(vec3 v, vec3 rotation) {
   precise float a2 = inner(rotation, rotation);
   precise float half_tangent = 0.5f + a2 * (0.041666668f + a2 * 0.0041666667f);
@@ -47,8 +49,9 @@ vec3 turned(vec3 v, vec3 rotation) {
   return result;
 }
 
-// What turns each segment about its lower joint, given the forces on the segments: half of its own, at its centre, and
-// all of those above it, at its end; times its direction, in half segments, this is its share of all moments below.
+// What turns each segment about its lower joint, given the forces on the segments: half of its own, at its
+// centre, and all of those above it, at its end; times its direction, in half segments, this is its share of
+// all moments below.
 ChainVectors chain_load(ChainVectors force) {
   ChainVectors load;
   precise vec3 above3 = force.v4;
@@ -91,15 +94,18 @@ ChainVectors chain_turned(ChainVectors rest, ChainVectors turns) {
   return shape;
 }
 
-float softest_chain() { return 20.0f; }
+float softest_chain() {
+  return 20.0f;
+}
 
-// One step towards the rotations that hold the shape that they make. A rotation δ of everything changes the moment of a
-// load w on t by (δ × t) × w = −(t·w) δ for δ ⊥ w, so that a plain step falls short by a constant share, or overshoots
-// where the blade hangs down; the gain makes up for it. Upright and for little sag its factor would be 16.9/16, 16.9 being
-// the stiffness at which an upright chain buckles and 16 the sum of the loads; blades lower as they bend, and 0.75 leaves
-// the least error after two steps.
+// One step towards the rotations that hold the shape that they make. A rotation δ of everything changes the
+// moment of a load w on t by (δ × t) × w = −(t·w) δ for δ ⊥ w, so that a plain step falls short by a constant
+// share, or overshoots where the blade hangs down; the gain makes up for it. Upright and for little sag its
+// factor would be 16.9/16, 16.9 being the stiffness at which an upright chain buckles and 16 the sum of the
+// loads; blades lower as they bend, and 0.75 leaves the least error after two steps.
 ChainVectors chain_step(ChainVectors turns, ChainVectors shape, ChainVectors load, float compliance) {
-  precise float raised = -(inner(shape.v1, load.v1) + inner(shape.v2, load.v2) + inner(shape.v3, load.v3) + inner(shape.v4, load.v4));
+  precise float raised = -(inner(shape.v1, load.v1) + inner(shape.v2, load.v2) + inner(shape.v3, load.v3) +
+                           inner(shape.v4, load.v4));
   precise float gain = 1.0f / max(1.0f - 0.75f * compliance * raised, 0.4f);
   ChainVectors held = chain_response(shape, load, compliance);
   precise vec3 turn1 = turns.v1 + (held.v1 - turns.v1) * gain;
@@ -122,7 +128,8 @@ struct ChainRest {
 };
 
 ChainRest chain_rest(BladeCurve rest) {
-  // Directions of foot and chord, which are half the arc's turning apart, and by halving twice those of the segments.
+  // Directions of foot and chord, which are half the arc's turning apart, and by halving twice those of the
+  // segments.
   vec3 d = normalized(rest.base_tangent_m);
   vec3 p = outer(rest.side, d);
   vec3 chord = normalized(rest.tip_m - rest.base_m);
@@ -169,8 +176,8 @@ ChainVectors chain_turns(ChainVectors relaxed, ChainVectors load, float complian
 
 // The curve through a chain of this shape; `d` and `end` are its directions at root and tip.
 BladeChain chain_through(BladeCurve rest, vec3 d, ChainVectors shape, vec3 end, float length_m) {
-  // A curve of length s that turns by τ has a chord of s (1 − τ²/24); the mean square of the four segments' turnings by
-  // the trapezoidal rule from those at the joints, |Δt|² = 2 − 2 t·t'.
+  // A curve of length s that turns by τ has a chord of s (1 − τ²/24); the mean square of the four segments'
+  // turnings by the trapezoidal rule from those at the joints, |Δt|² = 2 − 2 t·t'.
   precise float bends = inner(shape.v1, shape.v2) + inner(shape.v2, shape.v3) + inner(shape.v3, shape.v4);
   precise float turning2 = 3.5f - inner(d, shape.v1) - 0.5f * bends - inner(shape.v4, end);
   precise float segment_m = 0.25f * length_m * (1.0f - turning2 * 0.041666668f);
@@ -226,8 +233,8 @@ BladeChain chain_of(Blade blade, BladeCurve rest, float growth) {
   return chain_under(blade, rest, growth, weight);
 }
 
-// The Hermite blade of the same pose. Its tangents are as long as brings the middle of the curve closest to that of the
-// chain: h(½) = (p0 + p4)/2 + (m0 − m4) T/8. On an arc that is pose_blade's T = 4 tan(θ/4)/θ.
+// The Hermite blade of the same pose. Its tangents are as long as brings the middle of the curve closest to
+// that of the chain: h(½) = (p0 + p4)/2 + (m0 − m4) T/8. On an arc that is pose_blade's T = 4 tan(θ/4)/θ.
 BladeCurve curve_of(BladeChain chain) {
   precise vec3 bow = (chain.m0 - chain.m4) * 0.125f;
   precise vec3 sag = chain.p2 - (chain.p0 + chain.p4) * 0.5f;
@@ -250,9 +257,11 @@ BladeChain blended_chain(BladeChain chain, float hermite_share) {
   BladeCurve curve = curve_of(chain);
   // Hermite's basis and its derivatives at ¼, ½ and ¾.
   precise vec3 way = curve.tip_m - curve.base_m;
-  precise vec3 q1 = curve.base_m + way * 0.15625f + curve.base_tangent_m * 0.140625f - curve.tip_tangent_m * 0.046875f;
+  precise vec3 q1 =
+      curve.base_m + way * 0.15625f + curve.base_tangent_m * 0.140625f - curve.tip_tangent_m * 0.046875f;
   precise vec3 q2 = curve.base_m + way * 0.5f + (curve.base_tangent_m - curve.tip_tangent_m) * 0.125f;
-  precise vec3 q3 = curve.base_m + way * 0.84375f + curve.base_tangent_m * 0.046875f - curve.tip_tangent_m * 0.140625f;
+  precise vec3 q3 =
+      curve.base_m + way * 0.84375f + curve.base_tangent_m * 0.046875f - curve.tip_tangent_m * 0.140625f;
   precise vec3 n1 = way * 1.125f + curve.base_tangent_m * 0.1875f - curve.tip_tangent_m * 0.3125f;
   precise vec3 n2 = way * 1.5f - (curve.base_tangent_m + curve.tip_tangent_m) * 0.25f;
   precise vec3 n3 = way * 1.125f - curve.base_tangent_m * 0.3125f + curve.tip_tangent_m * 0.1875f;
@@ -298,11 +307,14 @@ float chain_piece_t(float u) {
 
 vec3 chain_point(BladeChain chain, float u) {
   BladeCurve piece = chain_piece(chain, u);
-  return hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m, chain_piece_t(u));
+  return hermite_point(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m,
+                       chain_piece_t(u));
 }
 
 vec3 chain_derivative(BladeChain chain, float u) {
   BladeCurve piece = chain_piece(chain, u);
-  precise vec3 result = hermite_derivative(piece.base_m, piece.tip_m, piece.base_tangent_m, piece.tip_tangent_m, chain_piece_t(u)) * 4.0f;
+  precise vec3 result = hermite_derivative(piece.base_m, piece.tip_m, piece.base_tangent_m,
+                                           piece.tip_tangent_m, chain_piece_t(u)) *
+                        4.0f;
   return result;
 }

@@ -1,25 +1,26 @@
-// Tufts: blades grow from a jittered lattice of plants, and those of one plant share height, lean, hue and dryness; blade
-// by blade randomness alone reads as noise. A blade takes a blend of the four plants around it whose weights fall off
-// steeply (a Voronoi cell with soft borders) and vanish where the four change, so that a root that slides a little never
-// jumps from one tuft to the next.
+// Tufts: blades grow from a jittered lattice of plants, and those of one plant share height, lean, hue and
+// dryness; blade by blade randomness alone reads as noise. A blade takes a blend of the four plants around it
+// whose weights fall off steeply (a Voronoi cell with soft borders) and vanish where the four change, so that
+// a root that slides a little never jumps from one tuft to the next.
 
 struct Clump {
-  float height;    // −1 … 1
-  float hue;       // −1 … 1
-  float dryness;   // −1 … 1
-  vec2 lean;       // |each| ≤ 1
-  vec2 outward;    // from the tuft's centre, in tuft distances
+  float height;   // −1 … 1
+  float hue;      // −1 … 1
+  float dryness;  // −1 … 1
+  vec2 lean;      // |each| ≤ 1
+  vec2 outward;   // from the tuft's centre, in tuft distances
 };
 
-// Adds the plant at one corner of the lattice square, `corner` ∈ {0, 1}², seen from the place f in that square.
-// Sums are kept in `sum`, weighted; its `weight` is their total.
+// Adds the plant at one corner of the lattice square, `corner` ∈ {0, 1}², seen from the place f in that
+// square. Sums are kept in `sum`, weighted; its `weight` is their total.
 struct ClumpSum {
   Clump clump;
   float weight;
 };
 
 ClumpSum add_clump(ClumpSum sum, ivec2 first, ivec2 corner, vec2 f, uint seed) {
-  uint where = hash_u32(uint(first.x + corner.x) * 0x9e3779b9u + uint(first.y + corner.y) * 0x85ebca6bu + seed);
+  uint where =
+      hash_u32(uint(first.x + corner.x) * 0x9e3779b9u + uint(first.y + corner.y) * 0x85ebca6bu + seed);
   uint what = where * 0xcc9e2d51u;
   what ^= what >> 15u;
   precise float away_x = f.x - (float(corner.x) - 0.3f + 0.6f * unit_from_high16(where));

@@ -1,5 +1,5 @@
-// Features that vary over the field (G03 §3.1): factors on the blades' length, bend and colour, bilinear on a lattice of
-// the cell. Two texels a node: ( length, bend, –, – ), ( red, green, blue, – ).
+// Features that vary over the field (G03 §3.1): factors on the blades' length, bend and colour, bilinear on a
+// lattice of the cell. Two texels a node: ( length, bend, –, – ), ( red, green, blue, – ).
 
 struct Features {
   float blade_height;

@@ -22,6 +22,7 @@ vec3 hermite_derivative(vec3 p0, vec3 p1, vec3 m0, vec3 m1, float t) {
 // Width along a blade, as a share of its widest place: a broad foot, a long taper, a pointed tip.
 float blade_profile(float t) {
   precise float narrow = t * t;
-  precise float result = (1.0f - narrow * narrow * 0.35f - 0.65f * narrow * t) * (0.8f + 0.2f * min(4.0f * t, 1.0f));
+  precise float result =
+      (1.0f - narrow * narrow * 0.35f - 0.65f * narrow * t) * (0.8f + 0.2f * min(4.0f * t, 1.0f));
   return max(result, 0.0f);
 }

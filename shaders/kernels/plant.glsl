@@ -1,6 +1,6 @@
 // Planting: blade k of a cell is a pure function of (world seed, cell, species, k) and of the maps (G03 §3.2;
-// docs/design.md, D2). What the seed alone gives (traits) never changes when maps are edited; what tuft and maps give
-// changes as little as the root moves.
+// docs/design.md, D2). What the seed alone gives (traits) never changes when maps are edited; what tuft and
+// maps give changes as little as the root moves.
 
 // A blade's own numbers, each in [0, 1).
 struct Traits {
@@ -62,8 +62,8 @@ Clump clump_of(PlantedCell cell, SpeciesParams species, vec2 local_m) {
   return clump_at(cell.clump_lattice, vec2(x, y), cell.species * 0x9e3779b9u + cell.clump_seed);
 }
 
-Blade grow_blade(PlantedCell cell, SpeciesParams species, uint index, vec2 local_m, Traits traits, Clump clump,
-                 Features features, float ground_m) {
+Blade grow_blade(PlantedCell cell, SpeciesParams species, uint index, vec2 local_m, Traits traits,
+                 Clump clump, Features features, float ground_m) {
   float shared_part = species.clump_strength;
   precise float own_height = 2.0f * traits.height - 1.0f;
   precise float own_hue = 2.0f * traits.hue - 1.0f;
@@ -75,17 +75,23 @@ Blade grow_blade(PlantedCell cell, SpeciesParams species, uint index, vec2 local
   precise float relative_height = max(spread_around(1.0f, species.height_spread, tuft_height), 0.15f);
   precise float combed = species.lean_rad * lerp(0.4f, 1.0f, shared_part);
   precise float own_lean = 0.35f * species.lean_rad;
-  precise float lean_x = combed * clump.lean.x + own_lean * (2.0f * traits.lean.x - 1.0f) + species.clump_spray_rad * clump.outward.x;
-  precise float lean_y = combed * clump.lean.y + own_lean * (2.0f * traits.lean.y - 1.0f) + species.clump_spray_rad * clump.outward.y;
+  precise float lean_x = combed * clump.lean.x + own_lean * (2.0f * traits.lean.x - 1.0f) +
+                         species.clump_spray_rad * clump.outward.x;
+  precise float lean_y = combed * clump.lean.y + own_lean * (2.0f * traits.lean.y - 1.0f) +
+                         species.clump_spray_rad * clump.outward.y;
   precise float root_x = cell.offset_m.x + local_m.x;
   precise float root_y = cell.offset_m.y + local_m.y;
   precise float height_m = species.height_m * relative_height * crown * features.blade_height;
   precise float width_m = spread_around(species.width_m, species.width_spread, 2.0f * traits.width - 1.0f);
   precise float azimuth_rad = 6.2831853f * traits.azimuth;
   precise float tilt_rad = species.tilt_rad * traits.tilt;
-  precise float curvature_rad = spread_around(species.curvature_rad, species.curvature_spread, 2.0f * traits.curvature - 1.0f) * features.bend;
+  precise float curvature_rad =
+      spread_around(species.curvature_rad, species.curvature_spread, 2.0f * traits.curvature - 1.0f) *
+      features.bend;
   precise float hue = species.hue_spread * lerp(own_hue, 0.6f * own_hue + 0.8f * clump.hue, shared_part);
-  precise float dryness = saturate(species.dry_share + species.dry_spread * lerp(own_dryness, 0.8f * own_dryness + 0.6f * clump.dryness, shared_part));
+  precise float dryness = saturate(
+      species.dry_share +
+      species.dry_spread * lerp(own_dryness, 0.8f * own_dryness + 0.6f * clump.dryness, shared_part));
   precise float mass_g = species.mass_g * (height_m / species.height_m) * (width_m / species.width_m);
 
   Blade blade;
@@ -99,7 +105,8 @@ Blade grow_blade(PlantedCell cell, SpeciesParams species, uint index, vec2 local
   blade.lean = vec2(lean_x, lean_y);
   blade.hue = hue;
   blade.dryness = dryness;
-  blade.stiffness = spread_around(species.stiffness, species.stiffness_spread, 2.0f * traits.stiffness - 1.0f);
+  blade.stiffness =
+      spread_around(species.stiffness, species.stiffness_spread, 2.0f * traits.stiffness - 1.0f);
   blade.mass_g = mass_g;
   precise float phase_rad = 6.2831853f * traits.phase;
   blade.phase_rad = phase_rad;
@@ -110,6 +117,7 @@ Blade grow_blade(PlantedCell cell, SpeciesParams species, uint index, vec2 local
 
 Blade plant_blade(PlantedCell cell, SpeciesParams species, Features features, WarpedRoot root, uint index) {
   vec2 local_m = root_in_cell(cell, root);
-  return grow_blade(cell, species, index, local_m, traits_of(cell.key.y, index), clump_of(cell, species, local_m),
-                    features, ground_in_cell(cell.ground_table, cell.side_m, local_m).height_m);
+  return grow_blade(cell, species, index, local_m, traits_of(cell.key.y, index),
+                    clump_of(cell, species, local_m), features,
+                    ground_in_cell(cell.ground_table, cell.side_m, local_m).height_m);
 }

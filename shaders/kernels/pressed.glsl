@@ -1,5 +1,6 @@
-// Trodden blades (G03 §4.2): feet change the shape at rest itself, a blade stays as it was pressed until it has risen. What
-// the field says of a place (animation/tread_node.h) lays the curve of pose_blade towards the ground.
+// Trodden blades (G03 §4.2): feet change the shape at rest itself, a blade stays as it was pressed until it
+// has risen. What the field says of a place (animation/tread_node.h) lays the curve of pose_blade towards the
+// ground.
 
 // Trodden grass at a root.
 struct Pressing {
@@ -17,9 +18,12 @@ Pressing no_pressing() {
 }
 
 // 0: as it grew; 1 would be flat on the ground.
-float lying_share(Pressing pressing) { return min(pressing.tilt_rad * 0.63661975f, 1.0f); }
+float lying_share(Pressing pressing) {
+  return min(pressing.tilt_rad * 0.63661975f, 1.0f);
+}
 
-// How steeply downhill segments may point, by the sine: lying blades do not sag into the ground, but lie on one another.
+// How steeply downhill segments may point, by the sine: lying blades do not sag into the ground, but lie on
+// one another.
 float lowest_rise(float lying) {
   precise float l2 = lying * lying;
   precise float result = min(lying - 1.0f + 0.26f * l2 * l2, 0.08f);
@@ -51,7 +55,8 @@ BladeCurve pressed_curve(BladeCurve rest, float length_m, vec3 normal, Pressing 
   precise float decided = min(sqrt(directed.x * directed.x + directed.y * directed.y), 1.0f);
   precise vec3 own = d + e + p * 0.2f;
   precise vec3 own_level = own - normal * inner(own, normal);
-  precise vec3 heading = vec3(directed.x, directed.y, 0.0f) + normalized(own_level) * (1.0f - 0.65f * decided);
+  precise vec3 heading =
+      vec3(directed.x, directed.y, 0.0f) + normalized(own_level) * (1.0f - 0.65f * decided);
   precise vec3 level = heading - normal * inner(heading, normal);
   vec3 flat_along = normalized(level);
 

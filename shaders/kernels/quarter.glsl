@@ -1,8 +1,9 @@
 // The blades of one quarter of a cell, so that near the eye single square metres can be culled and thinned.
 //
-// The first digits of a point of the sequence (shaders/kernels/sequence.glsl) say in which quarter of the unit square it lies:
-// that of x is the index's lowest bit, that of y the parity of all its bits, each flipped by the seed. So the points of a
-// quarter have the indices 4 i + 2 (parity(i) ⊕ c) + b, i = 0, 1, 2, …, and keep their ranks.
+// The first digits of a point of the sequence (shaders/kernels/sequence.glsl) say in which quarter of the
+// unit square it lies: that of x is the index's lowest bit, that of y the parity of all its bits, each
+// flipped by the seed. So the points of a quarter have the indices 4 i + 2 (parity(i) ⊕ c) + b, i = 0, 1, 2,
+// …, and keep their ranks.
 
 uint parity(uint x) {
   x ^= x >> 16u;

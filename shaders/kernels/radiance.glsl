@@ -8,11 +8,15 @@ uint small_float(float x, uint mantissa_bits) {
 }
 
 uint pack_radiance(vec3 radiance) {
-  return small_float(radiance.x, 6u) | (small_float(radiance.y, 6u) << 11u) | (small_float(radiance.z, 5u) << 22u);
+  return small_float(radiance.x, 6u) | (small_float(radiance.y, 6u) << 11u) |
+         (small_float(radiance.z, 5u) << 22u);
 }
 
-float from_small_float(uint bits, uint mantissa_bits) { return uintBitsToFloat((bits + (112u << mantissa_bits)) << (23u - mantissa_bits)); }
+float from_small_float(uint bits, uint mantissa_bits) {
+  return uintBitsToFloat((bits + (112u << mantissa_bits)) << (23u - mantissa_bits));
+}
 
 vec3 unpack_radiance(uint word) {
-  return vec3(from_small_float(word & 2047u, 6u), from_small_float((word >> 11u) & 2047u, 6u), from_small_float(word >> 22u, 5u));
+  return vec3(from_small_float(word & 2047u, 6u), from_small_float((word >> 11u) & 2047u, 6u),
+              from_small_float(word >> 22u, 5u));
 }

@@ -1,16 +1,19 @@
 // The field of a tread: how far a body that moves from P0 to P1 presses down the grass at P (G03 §4.2).
 //
-//   F(P) = ∫ ds / (r² + ε²)^(3/2)   over the segment, r the distance from P to its points, ε the body's radius, in 1/m²
-//   E(P) = F(P) (sign(A·N) N + C)   C unit vector along the motion, N its normal to the left, A = P − P0
+//   F(P) = ∫ ds / (r² + ε²)^(3/2)
+//   E(P) = F(P) (sign(A·N) N + C)
 //
-// Deviations: G03's closed form is that of ε = 0, which is singular on the path. A body reaches only so far: what lies
-// farther from P than a fixed reach is left out of the integral, so that the fields of a pass's steps add up to that of the
-// pass whatever the steps are.
-// Positions are relative to P0, so that floats are fine; `along_m`, `across_m`: of P, along and to the left of the motion.
+// over the segment; r: distance from P to its points; ε: the body's radius; F in 1/m²; C: unit vector along
+// the motion; N: its normal to the left; A = P − P0.
+//
+// Deviations: G03's closed form is that of ε = 0, which is singular on the path. A body reaches only so far:
+// what lies farther from P than a fixed reach is left out of the integral, so that the fields of a pass's
+// steps add up to that of the pass whatever the steps are. Positions are relative to P0, so that floats are
+// fine; `along_m`, `across_m`: of P, along and to the left of the motion.
 
-// F of a straight path of `length_m` from its start, h² = across² + ε². Beside the path F = (x/r0 + y/r1)/h² with x, y the ways
-// from P's foot to its ends. Beyond the ends this is a small difference of large numbers, and only there the form
-// L(r0 + r1)/(r0 r1 (r0 r1 + (P0 − P)·(P1 − P) + ε²)) is not.
+// F of a straight path of `length_m` from its start, h² = across² + ε². Beside the path F = (x/r0 + y/r1)/h²
+// with x, y the ways from P's foot to its ends. Beyond the ends this is a small difference of large numbers,
+// and only there the form L(r0 + r1)/(r0 r1 (r0 r1 + (P0 − P)·(P1 − P) + ε²)) is not.
 float tread_of_path(float along_m, float length_m, float h2) {
   precise float ahead_m = length_m - along_m;
   precise float r0 = sqrt(along_m * along_m + h2);

@@ -1,9 +1,10 @@
 // Thinning with distance: B11's weight function F(z, φ) (§2.2), n·r at least 0 and α = 8 as printed.
 //
-// B11 discards blades of weight w < F. Here blade k of N has the rank q = (k + ξ)/N and the weight 1 − q, so that the first
-// N · (1 − F) blades of a cell stay (docs/design.md, D2). Deviations: a blade near the threshold grows in rather than pops,
-// and the blades that stay are widened so that their area does, up to a few pixels.
-// d is the distance at which the reference pixel would be as high as this one, so that a finer picture thins later.
+// B11 discards blades of weight w < F. Here blade k of N has the rank q = (k + ξ)/N and the weight 1 − q, so
+// that the first N · (1 − F) blades of a cell stay (docs/design.md, D2). Deviations: a blade near the
+// threshold grows in rather than pops, and the blades that stay are widened so that their area does, up to a
+// few pixels. d is the distance at which the reference pixel would be as high as this one, so that a finer
+// picture thins later.
 
 // (1 − t)(n·r) + t with t = (1 − |n·r|)^8: the visible size of a piece of ground, and its contours.
 float visible_size(float n_dot_r) {
@@ -23,23 +24,25 @@ float keep_leaving(LodCoefficients lod, float area) {
   return (half_b - root) / square(full);
 }
 
-// Thinned further, blades could not be widened enough to keep their area (widened_m). A little more, for blades that are wider
-// than the mean.
+// Thinned further, blades could not be widened enough to keep their area (widened_m). A little more, for
+// blades that are wider than the mean.
 float least_share(LodCoefficients lod, float width_m, float pixel_m) {
   return keep_leaving(lod, 1.25f * width_m / (lod.widest_pixels * pixel_m));
 }
 
-// 1 − F before it is clamped to 1. `pixel_m`: height of a pixel at the blade; `distance_m`: from the eye; `width_m`: mean of
-// the blades.
+// 1 − F before it is clamped to 1. `pixel_m`: height of a pixel at the blade; `distance_m`: from the eye;
+// `width_m`: mean of the blades.
 float keep_share(LodCoefficients lod, float n_dot_r, float pixel_m, float distance_m, float width_m) {
   if (lod.unthinned > 0.5f) return 1.0e6f;
   precise float d = pixel_m / lod.reference_pixel;
   precise float share = visible_size(n_dot_r) / (lod.a1 + d * (lod.a2 + d * lod.a3));
-  precise float result = max(share, least_share(lod, width_m, pixel_m)) * (1.0f - sunk_share(lod, distance_m));
+  precise float result =
+      max(share, least_share(lod, width_m, pixel_m)) * (1.0f - sunk_share(lod, distance_m));
   return result;
 }
 
-// B11's F bounds the number of blades on a piece of the screen, so a dense sward keeps a smaller share of its own.
+// B11's F bounds the number of blades on a piece of the screen, so a dense sward keeps a smaller share of its
+// own.
 float crowded_share(LodCoefficients lod, float density_per_m2) {
   if (lod.unthinned > 0.5f) return 1.0f;
   return min(lod.crowded_per_m2 / max(density_per_m2, 1.0e-6f), 1.0f);

@@ -1,6 +1,6 @@
-// Cyclic gradient noise for wind (B11 §3.2: "cyclic Perlin noise texture"; Perlin 2002, Improving Noise: quintic weights).
-// Deviations: gradients are unit vectors of any direction; a texture is the sum of two octaves, the finer half as wide and
-// 0.6 as strong, so that three textures leave no gap in the spectrum.
+// Cyclic gradient noise for wind (B11 §3.2: "cyclic Perlin noise texture"; Perlin 2002, Improving Noise:
+// quintic weights). Deviations: gradients are unit vectors of any direction; a texture is the sum of two
+// octaves, the finer half as wide and 0.6 as strong, so that three textures leave no gap in the spectrum.
 
 // Weight between lattice nodes, t in [0, 1].
 float noise_weight(float t) {
@@ -27,8 +27,10 @@ float cyclic_noise(vec2 at, uint cells, uint seed) {
   uint north = (south + 1u) & (cells - 1u);
   float u = noise_weight(x);
   float v = noise_weight(y);
-  float along_south = lerp(noise_of_node(west, south, seed, x, y), noise_of_node(east, south, seed, x - 1.0f, y), u);
-  float along_north = lerp(noise_of_node(west, north, seed, x, y - 1.0f), noise_of_node(east, north, seed, x - 1.0f, y - 1.0f), u);
+  float along_south =
+      lerp(noise_of_node(west, south, seed, x, y), noise_of_node(east, south, seed, x - 1.0f, y), u);
+  float along_north = lerp(noise_of_node(west, north, seed, x, y - 1.0f),
+                           noise_of_node(east, north, seed, x - 1.0f, y - 1.0f), u);
   return lerp(along_south, along_north, v);
 }
 

@@ -1,6 +1,6 @@
 #version 450 core
-// The surface of a boulder (shaders/pass/stone.glsl), in the light of sun, sky and the sward around. Alpha is the cover, and no
-// grass grows on it.
+// The surface of a boulder (shaders/pass/stone.glsl), in the light of sun, sky and the sward around. Alpha is
+// the cover, and no grass grows on it.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/haze.glsl"

@@ -1,7 +1,8 @@
 #version 450 core
-// A vertex of a boulder: of the sphere that all share, put where the stone is and dented, inwards only, so that what treads the
-// grass as a sphere is nowhere drawn outside it. What a software renderer would be slow to find for every pixel is found here:
-// light in the axes of the stones' maps, haze, and what of the sky the sward leaves.
+// A vertex of a boulder: of the sphere that all share, put where the stone is and dented, inwards only, so
+// that what treads the grass as a sphere is nowhere drawn outside it. What a software renderer would be slow
+// to find for every pixel is found here: light in the axes of the stones' maps, haze, and what of the sky the
+// sward leaves.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/haze.glsl"
@@ -26,7 +27,8 @@ void main() {
   sun_on_map = turned_by_seed(body_from_scene * frame.sun_direction, solid.seed);
   up_on_map = turned_by_seed(body_from_scene * vec3(0.0, 0.0, 1.0), solid.seed);
   float depth = solid.outline_roughness > 0.0 ? solid.outline_roughness * stone_dent_at(on_map) : 0.0;
-  vec3 from_eye_m = solid.centre_from_eye_m + scene_from_body(solid) * (place * solid.half_size_m * (1.0 - depth));
+  vec3 from_eye_m =
+      solid.centre_from_eye_m + scene_from_body(solid) * (place * solid.half_size_m * (1.0 - depth));
   sky_and_sun = open_to_light(solid, from_eye_m);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);

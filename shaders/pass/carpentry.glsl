@@ -9,7 +9,8 @@ vec3 wood_albedo(vec3 albedo, vec3 place_m, uint piece, float pixel_m) {
   float grain = mix(0.5, fibre.x, seen_share(0.006, pixel_m));
   float weathered = 0.65 + 0.35 * tone.y;
   vec3 grey = vec3(dot(albedo, vec3(0.35, 0.45, 0.20)));
-  return mix(grey, albedo, weathered) * (0.72 + 0.42 * tone.x) * (0.80 + 0.40 * grain) * (0.80 + 0.40 * streak.x);
+  return mix(grey, albedo, weathered) * (0.72 + 0.42 * tone.x) * (0.80 + 0.40 * grain) *
+         (0.80 + 0.40 * streak.x);
 }
 
 // A face of a box, made of boards as wide as a board is: dark where two meet.
@@ -46,7 +47,8 @@ vec3 wheel_albedo(SolidParams solid, vec3 in_body_m, vec3 normal, float pixel_m)
   uint piece = solid.seed * 53u + uint(int(spoke) + 64);
   float to_spoke = abs(turn - spoke) * (6.2831853 / kSpokes) * from_hub;
   if (from_hub > kTyreInside) {
-    float rust = 0.6 * noise_3d(in_body_m * 45.0, solid.seed + 20u).x + 0.4 * noise_3d(in_body_m * 130.0, solid.seed + 21u).x;
+    float rust = 0.6 * noise_3d(in_body_m * 45.0, solid.seed + 20u).x +
+                 0.4 * noise_3d(in_body_m * 130.0, solid.seed + 21u).x;
     return mix(vec3(0.052, 0.046, 0.042), vec3(0.085, 0.055, 0.038), smoothstep(0.35, 0.70, rust));
   }
   vec2 outward = place / max(from_hub, 1.0e-4);

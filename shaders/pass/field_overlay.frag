@@ -1,6 +1,7 @@
 #version 450 core
-// Colours of the field overlays: the wind from blue over yellow to red; heat from yellow over red to violet; recovery from
-// green, nearly risen, to red, and worn ground blue. Unlit: a colour means the same in any light.
+// Colours of the field overlays: the wind from blue over yellow to red; heat from yellow over red to violet;
+// recovery from green, nearly risen, to red, and worn ground blue. Unlit: a colour means the same in any
+// light.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 
@@ -17,7 +18,9 @@ vec3 ramp(vec3 low, vec3 middle, vec3 high, float share) {
 }
 
 // Over the last quarter of its reach an overlay fades out.
-float near(float reach_m) { return 1.0 - smoothstep(0.75 * reach_m, reach_m, length(from_eye_m.xy)); }
+float near(float reach_m) {
+  return 1.0 - smoothstep(0.75 * reach_m, reach_m, length(from_eye_m.xy));
+}
 
 void main() {
 #if defined(WIND_ARROWS)

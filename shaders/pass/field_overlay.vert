@@ -10,7 +10,9 @@ layout(location = 2) out float wear;
 layout(location = 3) out float outline;  // 1: the dark edge of an arrow
 
 #ifdef WIND_ARROWS
-layout(std430, binding = 5) readonly buffer Arrows { WindArrow arrows[]; };
+layout(std430, binding = 5) readonly buffer Arrows {
+  WindArrow arrows[];
+};
 
 const float kShaftHalfM = 0.055;
 const float kHeadHalfM = 0.17;
@@ -26,9 +28,9 @@ vec2 arrow_corner(int corner, float length_m, float widened, float grown_m) {
   float slim = min(length_m / 0.9, 1.0) * widened;
   float tip = 0.5 * length_m, foot = -tip - grown_m, neck = tip - head_m;
   float half_m = slim * kShaftHalfM + grown_m, wing_m = slim * kHeadHalfM + 1.7 * grown_m;
-  vec2 corners[9] = vec2[9](vec2(foot, -half_m), vec2(neck, -half_m), vec2(neck, half_m),
-                            vec2(foot, -half_m), vec2(neck, half_m), vec2(foot, half_m),
-                            vec2(neck - grown_m, -wing_m), vec2(tip + 2.2 * grown_m, 0.0), vec2(neck - grown_m, wing_m));
+  vec2 corners[9] = vec2[9](vec2(foot, -half_m), vec2(neck, -half_m), vec2(neck, half_m), vec2(foot, -half_m),
+                            vec2(neck, half_m), vec2(foot, half_m), vec2(neck - grown_m, -wing_m),
+                            vec2(tip + 2.2 * grown_m, 0.0), vec2(neck - grown_m, wing_m));
   return corners[corner];
 }
 
@@ -47,7 +49,9 @@ void main() {
   gl_Position.xy += frame.jitter * gl_Position.w;
 }
 #else
-layout(std430, binding = 5) readonly buffer Squares { HeatSquare squares[]; };
+layout(std430, binding = 5) readonly buffer Squares {
+  HeatSquare squares[];
+};
 
 void main() {
   HeatSquare square = squares[gl_InstanceID];

@@ -1,1 +1,3 @@
-layout(std140, binding = 0) uniform FrameBlock { FrameParams frame; };
+layout(std140, binding = 0) uniform FrameBlock {
+  FrameParams frame;
+};

@@ -1,11 +1,13 @@
 #version 450 core
-// The flat tier (G03 §3.5): the floor between blades, and the sward's look from afar (render/sward_response.h) as far as the
-// tiers above do not show it: what blades and strips leave uncovered of the cover that all blades would have. Alpha holds
-// that cover.
+// The flat tier (G03 §3.5): the floor between blades, and the sward's look from afar
+// (render/sward_response.h) as far as the tiers above do not show it: what blades and strips leave uncovered
+// of the cover that all blades would have. Alpha holds that cover.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 
-vec4 table_texel(uint texel) { return vec4(0.0f); }
+vec4 table_texel(uint texel) {
+  return vec4(0.0f);
+}
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/tint.glsl"
@@ -28,9 +30,9 @@ layout(location = 6) in vec3 color_factor;
 #endif
 layout(location = 0) out vec4 color;
 
-// The flat map over a pixel's long, narrow footprint, as over a square of the same area: neither does it flicker nor is it
-// blurred to a band. Anisotropic filters differ between devices, and Mesa's software renderer walks every texel of a
-// footprint, which takes seconds where ground is seen edge-on.
+// The flat map over a pixel's long, narrow footprint, as over a square of the same area: neither does it
+// flicker nor is it blurred to a band. Anisotropic filters differ between devices, and Mesa's software
+// renderer walks every texel of a footprint, which takes seconds where ground is seen edge-on.
 vec4 flat_map_over_footprint(vec2 uv) {
   vec2 texels = vec2(textureSize(flat_map, 0));
   vec2 dx = dFdx(uv) * texels;
@@ -38,12 +40,12 @@ vec4 flat_map_over_footprint(vec2 uv) {
   return textureLod(flat_map, uv, 0.25 * log2(max(dot(dx, dx) * dot(dy, dy), 1.0e-12)));
 }
 
-// Strips leave gaps: what is seen between them is not the floor but more grass. Chosen for the least change of cover along the
-// border sequences (bench/tier_borders.cpp).
+// Strips leave gaps: what is seen between them is not the floor but more grass. Chosen for the least change
+// of cover along the border sequences (bench/tier_borders.cpp).
 const float kSureOfStrips = 0.65;
 
-// How far the tile at this pixel has morphed, as planned: its blades and strips stand by its middle. `unplanned`: where the
-// plan does not tell.
+// How far the tile at this pixel has morphed, as planned: its blades and strips stand by its middle.
+// `unplanned`: where the plan does not tell.
 float tile_morph(float unplanned) {
   ivec2 tile = ivec2(floor((from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m)) + kTileMorphSide / 2;
   if (any(lessThan(tile, ivec2(0))) || any(greaterThanEqual(tile, ivec2(kTileMorphSide)))) return unplanned;
@@ -51,9 +53,10 @@ float tile_morph(float unplanned) {
   return steps <= kTileMorphSteps + 0.5 ? steps / kTileMorphSteps : unplanned;
 }
 
-// What stands in the tiers above: the shares of the optical depth that blades and strips have, how far a line of sight goes on
-// below the tops of strips, and how far the feet of blades have slid to their rows. `above` (shaders/pass/ground.vert) holds the
-// first three for tiles of blades alone, of strips alone, and of either, and the morph of tiles that are not planned.
+// What stands in the tiers above: the shares of the optical depth that blades and strips have, how far a line
+// of sight goes on below the tops of strips, and how far the feet of blades have slid to their rows. `above`
+// (shaders/pass/ground.vert) holds the first three for tiles of blades alone, of strips alone, and of either,
+// and the morph of tiles that are not planned.
 vec4 standing_above(vec4 above) {
   float morph = tile_morph(above.w);
   float grown = strips_grown(morph);
@@ -62,10 +65,11 @@ vec4 standing_above(vec4 above) {
   return vec4(above.x * left, above.y * grown, above.z * max(grown, slid * left), slid);
 }
 
-// What the tiers above leave of the sward's cover to the ground. Feet that have slid by s have left a square of side s in the
-// middle of their tile; the rows of strips stand along its edges. A line of sight, which is below the tops of blades as far as
-// `reach`, stays within that square and meets nothing, or meets the blades around it, and where it leaves the tile a row. Blades
-// that have slid hide one another: their share falls as (1 − s)².
+// What the tiers above leave of the sward's cover to the ground. Feet that have slid by s have left a square
+// of side s in the middle of their tile; the rows of strips stand along its edges. A line of sight, which is
+// below the tops of blades as far as `reach`, stays within that square and meets nothing, or meets the blades
+// around it, and where it leaves the tile a row. Blades that have slid hide one another: their share falls as
+// (1 − s)².
 float cover_left(float optical_depth, vec4 standing, vec2 level_to_eye) {
   vec2 reach = level_to_eye * standing.z / frame.tile_m;
   vec2 from = (from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m;
@@ -103,10 +107,12 @@ void main() {
   float n_dot_l = dot(normal, frame.sun_direction);
   vec3 soil_albedo = frame.soil_color * (0.6 + 0.8 * grain);
   vec3 soil = soil_albedo * (frame.top_ambient + frame.sun_radiance * max(n_dot_l, 0.0));
-  vec3 floor_of_sward = mix(soil, litter_radiance(grass.rgb) * (0.55 + 0.9 * grain), smooth_ramp(1.6 * grass.a));
+  vec3 floor_of_sward =
+      mix(soil, litter_radiance(grass.rgb) * (0.55 + 0.9 * grain), smooth_ramp(1.6 * grass.a));
 
   vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m;
-  float cover = cover_left(optical_depth, standing_above(above), to_eye.xy * inversesqrt(max(dot(to_eye.xy, to_eye.xy), 1.0e-12)));
+  float cover = cover_left(optical_depth, standing_above(above),
+                           to_eye.xy * inversesqrt(max(dot(to_eye.xy, to_eye.xy), 1.0e-12)));
   Haze haze;
   haze.color = haze_color_and_share.rgb;
   haze.share = haze_color_and_share.a;

@@ -1,10 +1,12 @@
 #version 450 core
-// A vertex of the ground mesh. Positions are relative to an anchor, whole multiples of the finest quad in x and y, so that two
-// patches compute the vertices of their common edge alike, bit for bit. What changes slowly over the ground (the sward's look
-// from here, haze) is found here rather than for every pixel.
+// A vertex of the ground mesh. Positions are relative to an anchor, whole multiples of the finest quad in x
+// and y, so that two patches compute the vertices of their common edge alike, bit for bit. What changes
+// slowly over the ground (the sward's look from here, haze) is found here rather than for every pixel.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
-vec4 table_texel(uint texel) { return vec4(0.0f); }
+vec4 table_texel(uint texel) {
+  return vec4(0.0f);
+}
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/sward_look.glsl"
@@ -19,7 +21,9 @@ struct PatchParams {
   float quad_m;
   float unused;
 };
-layout(std430, binding = 5) readonly buffer PatchTable { PatchParams patches[]; };
+layout(std430, binding = 5) readonly buffer PatchTable {
+  PatchParams patches[];
+};
 layout(location = 0) uniform uint vertices_per_side;
 
 layout(location = 0) in float height_m;
@@ -27,7 +31,7 @@ layout(location = 1) in vec3 normal;
 
 layout(location = 0) out vec3 from_eye_m;
 layout(location = 1) out vec3 ground_normal;
-layout(location = 2) out vec3 sward_radiance;  // of the mean albedo
+layout(location = 2) out vec3 sward_radiance;        // of the mean albedo
 layout(location = 3) out float depth_per_leaf_area;  // optical depth along the line of sight
 layout(location = 4) out vec4 haze_color_and_share;
 layout(location = 5) out vec4 above;
@@ -35,15 +39,18 @@ layout(location = 5) out vec4 above;
 layout(location = 6) out vec3 color_factor;  // of the sward
 #endif
 
-// What stands on the ground in the tiers above, but for the tile's morph: see standing_above in shaders/pass/ground.frag.
+// What stands on the ground in the tiers above, but for the tile's morph: see standing_above in
+// shaders/pass/ground.frag.
 vec4 tiers_above(vec3 from_eye_m, vec3 ground_normal, float sin_elevation, float density_per_m2) {
   vec3 from_lod_eye_m = from_eye_m - frame.lod_eye_m;
   float distance_m = length(from_lod_eye_m);
   vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-4);
   float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
   float n_dot_r = dot(ground_normal, to_lod_eye);
-  float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m, frame.blade_width_m) * crowded_share(frame.lod, density_per_m2);
-  float area = min(area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
+  float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m, frame.blade_width_m) *
+               crowded_share(frame.lod, density_per_m2);
+  float area = min(
+      area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
   float level = sqrt(max(1.0 - sin_elevation * sin_elevation, 1.0e-6));
   return vec4(area, 1.0 - sunk_share(frame.lod, distance_m), frame.strip_height_m * level / sin_elevation,
               strip_morph(frame.lod, strip_band(frame.lod, distance_m), n_dot_r));
@@ -62,7 +69,8 @@ void main() {
   vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : normalize(-from_eye_m);
   SwardView view = sward_view(normalize(normal), to_eye);
   depth_per_leaf_area = sward_optical_depth(view, 1.0);
-  float leaf_area = leaf_area_of(textureLod(flat_map, flat_map_place(from_eye_m), log2(patch_params.quad_m / flat_texel_m())).a);
+  float leaf_area = leaf_area_of(
+      textureLod(flat_map, flat_map_place(from_eye_m), log2(patch_params.quad_m / flat_texel_m())).a);
   float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
   sward_radiance = sward_color(kMix, view, leaf_area * depth_per_leaf_area, shade);
 #ifdef MOVING
@@ -71,7 +79,8 @@ void main() {
 #ifdef CONDITIONED
   color_factor = condition_at(from_eye_m.xy).rgb;
 #endif
-  above = tiers_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
+  above =
+      tiers_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);
 

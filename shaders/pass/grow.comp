@@ -1,11 +1,12 @@
 #version 450 core
-// Plants and poses the blades of a batch and gives each its vertices, lit (B11 §2.3), as seen from the eye (docs/design.md, D3).
-// Vertices come in pairs from the foot up. Lit here, since blades are a pixel or two wide.
+// Plants and poses the blades of a batch and gives each its vertices, lit (B11 §2.3), as seen from the eye
+// (docs/design.md, D3). Vertices come in pairs from the foot up. Lit here, since blades are a pixel or two
+// wide.
 //
-// Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03 §3.3); both have the
-// same pose, and the first turns into the second over a band of distances. And each with MOVING, where wind blows, and with
-// TRODDEN besides, where something has trodden; where conditions may have come over the grass with CONDITIONED; for cells
-// with blades that move by themselves also with TOUCHED.
+// Made twice: with SPLINE_BLADES for the cells next to the eye (B11 §2.1), else for Hermite blades (G03
+// §3.3); both have the same pose, and the first turns into the second over a band of distances. And each with
+// MOVING, where wind blows, and with TRODDEN besides, where something has trodden; where conditions may have
+// come over the grass with CONDITIONED; for cells with blades that move by themselves also with TOUCHED.
 #ifdef MOVING
 #define SWAYING_BLADES
 #endif
@@ -22,16 +23,24 @@
 #include "shaders/pass/touched_blades.glsl"
 #endif
 
-layout(std430, binding = 4) writeonly buffer GrownVertices { uvec4 vertices[]; };  // GrownVertex
+layout(std430, binding = 4) writeonly buffer GrownVertices {
+  uvec4 vertices[];
+};  // GrownVertex
 layout(location = 1) uniform uint segments;
 layout(location = 2) uniform uint first_vertex;
 
 #ifdef SPLINE_BLADES
-vec3 tier_tinted(vec3 radiance) { return tinted_tier(radiance, kSplineTint); }
+vec3 tier_tinted(vec3 radiance) {
+  return tinted_tier(radiance, kSplineTint);
+}
 #define Midrib BladeChain
-vec3 midrib_point(BladeChain chain, float t) { return chain_point(chain, t); }
+vec3 midrib_point(BladeChain chain, float t) {
+  return chain_point(chain, t);
+}
 #else
-vec3 tier_tinted(vec3 radiance) { return tinted_tier(radiance, kHermiteTint); }
+vec3 tier_tinted(vec3 radiance) {
+  return tinted_tier(radiance, kHermiteTint);
+}
 #define Midrib BladeCurve
 vec3 midrib_point(BladeCurve curve, float t) {
   return hermite_point(curve.base_m, curve.tip_m, curve.base_tangent_m, curve.tip_tangent_m, t);
@@ -45,11 +54,13 @@ struct Rib {
 };
 
 Rib between(Rib a, Rib b) {
-  return Rib(0.5f * (a.left_m + b.left_m), 0.5f * (a.right_m + b.right_m), 0.5f * (a.left + b.left), 0.5f * (a.right + b.right));
+  return Rib(0.5f * (a.left_m + b.left_m), 0.5f * (a.right_m + b.right_m), 0.5f * (a.left + b.left),
+             0.5f * (a.right + b.right));
 }
 
 Rib mixed(Rib a, Rib b, float t) {
-  return Rib(mixed(a.left_m, b.left_m, t), mixed(a.right_m, b.right_m, t), mixed(a.left, b.left, t), mixed(a.right, b.right, t));
+  return Rib(mixed(a.left_m, b.left_m, t), mixed(a.right_m, b.right_m, t), mixed(a.left, b.left, t),
+             mixed(a.right, b.right, t));
 }
 
 void store(uint vertex, Rib rib, Haze haze) {
@@ -59,7 +70,8 @@ void store(uint vertex, Rib rib, Haze haze) {
 
 // Both sides of a tip are one vertex.
 void store_tip(uint vertex, Rib rib, Haze haze) {
-  vertices[vertex] = uvec4(floatBitsToUint(rib.left_m), pack_radiance(hazed(0.5f * (rib.left + rib.right), haze)));
+  vertices[vertex] =
+      uvec4(floatBitsToUint(rib.left_m), pack_radiance(hazed(0.5f * (rib.left + rib.right), haze)));
 }
 
 struct GrownBlade {
@@ -73,19 +85,22 @@ struct GrownBlade {
 };
 
 // `profile`, `place`, `l6`: width there as a share of the widest place, where its colour is from, and l⁶
-// (shaders/kernels/blade_mesh.glsl). `reach`: to the ribs on either side; a rib lies across the mesh, not the curve, or a
-// coarse mesh of a bent blade would be too narrow.
+// (shaders/kernels/blade_mesh.glsl). `reach`: to the ribs on either side; a rib lies across the mesh, not the
+// curve, or a coarse mesh of a bent blade would be too narrow.
 Rib rib_at(GrownBlade blade, float t, float reach, float profile, float place, float l6) {
   vec3 centre_m = blade.eye_from_tile_m + midrib_point(blade.midrib, t);
-  vec3 along_m = midrib_point(blade.midrib, min(t + reach, 1.0f)) - midrib_point(blade.midrib, max(t - reach, 0.0f));
+  vec3 along_m =
+      midrib_point(blade.midrib, min(t + reach, 1.0f)) - midrib_point(blade.midrib, max(t - reach, 0.0f));
   BladeSurface surface = blade_surface(along_m, blade.midrib.side, blade.to_eye);
   vec3 half_width_m = surface.side * (0.5f * blade.width_m * profile);
   vec3 albedo = mixed(blade.root_color, blade.tip_color, place);
   vec3 left = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
                                     inner(surface.left, frame.sun_direction), blade.ground_n_dot_v);
-  vec3 right = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
-                                     inner(surface.right, frame.sun_direction), blade.ground_n_dot_v);
-  return Rib(centre_m - half_width_m, centre_m + half_width_m, tier_tinted(mixed(blade.mean_radiance, left, blade.own_share)),
+  vec3 right =
+      blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
+                            inner(surface.right, frame.sun_direction), blade.ground_n_dot_v);
+  return Rib(centre_m - half_width_m, centre_m + half_width_m,
+             tier_tinted(mixed(blade.mean_radiance, left, blade.own_share)),
              tier_tinted(mixed(blade.mean_radiance, right, blade.own_share)));
 }
 
@@ -115,7 +130,8 @@ void main() {
   float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
   float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
 
-  Blade blade = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k), clump_of(cell, species, local_m), features, ground.height_m);
+  Blade blade = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k),
+                           clump_of(cell, species, local_m), features, ground.height_m);
   if (drawn.morph > 0.0f) {
     vec2 slid_m = slid_root(blade.root_m, frame.tile_m, drawn.morph);
     blade.ground_m += inner(vec3(ground.slope, 0.0f), vec3(slid_m - blade.root_m, 0.0f));
@@ -164,17 +180,21 @@ void main() {
 #else
   Midrib midrib = curve_of(chain);
 #endif
-  // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by, their mean does
-  // by its √n-th part. Of those that are left out where it is crowded about a half would have been hidden.
+  // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by,
+  // their mean does by its √n-th part. Of those that are left out where it is crowded about a half would have
+  // been hidden.
   float own_share = sqrt(area_left(frame.lod, kept * sqrt(crowded)));
 
   vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
   float h = 1.0f / float(int(segments));
   float coarser = coarser_share(frame.lod, int(segments), species.height_m / pixel_m);
-  SeenAreas seen = seen_areas(midrib_point(midrib, 0.0f), midrib_point(midrib, 0.25f), midrib_point(midrib, 0.5f),
-                                  midrib_point(midrib, 0.75f), midrib_point(midrib, 1.0f), to_eye);
+  SeenAreas seen =
+      seen_areas(midrib_point(midrib, 0.0f), midrib_point(midrib, 0.25f), midrib_point(midrib, 0.5f),
+                 midrib_point(midrib, 0.75f), midrib_point(midrib, 1.0f), to_eye);
   float wider = wider_for_chords(seen, int(segments), coarser);
-  float width_m = growth > 0.0f ? widened_m(frame.lod, keep, wider * lerp(species.width_m, blade.width_m, own_share), pixel_m) : 0.0f;
+  float width_m = growth > 0.0f ? widened_m(frame.lod, keep,
+                                            wider * lerp(species.width_m, blade.width_m, own_share), pixel_m)
+                                : 0.0f;
 
   float density_per_m2 = root.density + cell.other_density_per_m2;
   float shade = shade_of(density_per_m2, frame.shade_density_per_m2);
@@ -185,23 +205,27 @@ void main() {
   vec3 seen_m = root_m + vec3(0.0f, 0.0f, 0.6f * blade.height_m);
   vec3 to_eye_from_seen = frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m);
   SwardView view = sward_view(normal, to_eye_from_seen);
-  float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
+  float optical_depth =
+      sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
   vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
 #ifdef MOVING
   mean_radiance *= leaning_light(normal, lean);
 #endif
 
-  GrownBlade grown = GrownBlade(midrib, drawn.eye_from_tile_m, to_eye, width_m, root_color, tip_color, species.transmission,
-                                species.specular, shade, ground_n_dot_v, mean_radiance, own_share);
+  GrownBlade grown =
+      GrownBlade(midrib, drawn.eye_from_tile_m, to_eye, width_m, root_color, tip_color, species.transmission,
+                 species.specular, shade, ground_n_dot_v, mean_radiance, own_share);
 
-  // Every other rib is also one of the coarser mesh; those between them move to the middle of their neighbours.
+  // Every other rib is also one of the coarser mesh; those between them move to the middle of their
+  // neighbours.
   Haze haze = haze_at(root_m);
   uint first = first_vertex + index * (2u * segments + 1u);
   uint step = min(segments, 2u);
   Rib last = Rib(vec3(0.0f), vec3(0.0f), vec3(0.0f), vec3(0.0f));
   for (uint n = 0u; n <= segments; n += step) {
     float t = float(int(n)) * h;
-    Rib rib = rib_at(grown, t, h * (1.0f + coarser), blended_profile(t, h, coarser), blended_place(t, h, coarser), blended_power6(t, h, coarser));
+    Rib rib = rib_at(grown, t, h * (1.0f + coarser), blended_profile(t, h, coarser),
+                     blended_place(t, h, coarser), blended_power6(t, h, coarser));
     if (n < segments) {
       store(first + 2u * n, rib, haze);
     } else {
@@ -209,7 +233,8 @@ void main() {
     }
     if (n > 0u && step == 2u) {
       float t_between = t - h;
-      Rib own = rib_at(grown, t_between, h, mean_profile(t_between, h), mean_place(t_between, h), mean_power6(t_between, h));
+      Rib own = rib_at(grown, t_between, h, mean_profile(t_between, h), mean_place(t_between, h),
+                       mean_power6(t_between, h));
       store(first + 2u * n - 2u, mixed(own, between(last, rib), coarser), haze);
     }
     last = rib;

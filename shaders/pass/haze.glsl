@@ -1,4 +1,5 @@
-// Sky and haze (RG, "Fog"): what lies behind a distance takes the sky's colour, and the sun's where one looks towards it.
+// Sky and haze (RG, "Fog"): what lies behind a distance takes the sky's colour, and the sun's where one looks
+// towards it.
 
 vec3 sky_radiance(vec3 direction) {
   float up = max(direction.z, 0.0f);
@@ -24,4 +25,6 @@ Haze haze_at(vec3 from_eye_m) {
   return haze;
 }
 
-vec3 hazed(vec3 radiance, Haze haze) { return mix(radiance, haze.color, haze.share); }
+vec3 hazed(vec3 radiance, Haze haze) {
+  return mix(radiance, haze.color, haze.share);
+}

@@ -1,4 +1,5 @@
-// All kernels, in the order in which GLSL needs them; before it, a shader provides `vec4 table_texel(uint texel)`.
+// All kernels, in the order in which GLSL needs them; before it, a shader provides `vec4 table_texel(uint
+// texel)`.
 #include "shaders/kernels/random.glsl"
 #include "shaders/kernels/sequence.glsl"
 #include "shaders/kernels/quarter.glsl"

@@ -1,18 +1,20 @@
 #version 450 core
-// A corner of a line's strip on the screen (render/line_pass.h): what lies before the near plane is cut off, and half
-// the width and half a pixel more, over which the edge fades, are laid to each side.
+// A corner of a line's strip on the screen (render/line_pass.h): what lies before the near plane is cut off,
+// and half the width and half a pixel more, over which the edge fades, are laid to each side.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/shared/line.glsl"
 #include "shaders/pass/frame_block.glsl"
 
-layout(std430, binding = 5) readonly buffer Lines { LineParams lines[]; };
+layout(std430, binding = 5) readonly buffer Lines {
+  LineParams lines[];
+};
 
 layout(location = 1) uniform vec2 size_px;
 layout(location = 2) uniform float half_width_px;
 
 layout(location = 0) flat out vec4 line_color;
-// Pixels from the line's middle times w: times 1/w it is even across the screen. `noperspective` would say so as well,
-// but Mesa's clipper loses it on upright edges.
+// Pixels from the line's middle times w: times 1/w it is even across the screen. `noperspective` would say so
+// as well, but Mesa's clipper loses it on upright edges.
 layout(location = 1) out float across_px_w;
 
 void main() {
@@ -25,8 +27,10 @@ void main() {
   across_px_w = 0.0;
   gl_Position = vec4(2.0, 2.0, 0.0, 1.0);  // out of sight
   if (max(start_behind, end_behind) <= 0.0) return;
-  if (start_behind < 0.0) start = mix(start, end, start_behind / (start_behind - end_behind));
-  else if (end_behind < 0.0) end = mix(end, start, end_behind / (end_behind - start_behind));
+  if (start_behind < 0.0)
+    start = mix(start, end, start_behind / (start_behind - end_behind));
+  else if (end_behind < 0.0)
+    end = mix(end, start, end_behind / (end_behind - start_behind));
 
   vec2 along_px = (end.xy / end.w - start.xy / start.w) * size_px;
   float length_px = length(along_px);

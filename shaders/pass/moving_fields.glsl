@@ -17,14 +17,17 @@ FieldPlace field_place(vec2 from_eye_m, int levels) {
   float distance = max(abs(away_m.x), abs(away_m.y)) / (kFadedShare * half_m);
   FieldPlace found;
   found.level = int(distance >= 1.0) + int(distance >= kSwayCoarsening && levels > 2);
-  float coarser = found.level == 0 ? 1.0 : (found.level == 1 ? kSwayCoarsening : kSwayCoarsening * kSwayCoarsening);
+  float coarser =
+      found.level == 0 ? 1.0 : (found.level == 1 ? kSwayCoarsening : kSwayCoarsening * kSwayCoarsening);
   // Beyond the last window a texel farther, so that no blend reaches back into it.
   float most_m = (kFadedShare * half_m + kSwayFinestM) * coarser;
   found.place = (frame.field_centre_m + clamp(away_m, -most_m, most_m)) / (2.0 * half_m * coarser);
   return found;
 }
 
-int sway_species_count() { return (textureSize(sway_texels, 0).z / kSwayLevels - 1) / 4; }
+int sway_species_count() {
+  return (textureSize(sway_texels, 0).z / kSwayLevels - 1) / 4;
+}
 
 // What the virtual blade of a species feels there, and how far its tip has moved.
 struct Swaying {
@@ -42,12 +45,16 @@ Swaying swaying_at(vec2 from_eye_m, uint species) {
   return swaying;
 }
 
-vec3 swayed_tip(Swaying swaying) { return vec3(swaying.texel1.w, swaying.texel2.w, swaying.texel3.w); }
+vec3 swayed_tip(Swaying swaying) {
+  return vec3(swaying.texel1.w, swaying.texel2.w, swaying.texel3.w);
+}
 
 // Mean displacement of tips of all species, as a share of their length.
 vec3 mean_tip_at(vec2 from_eye_m) {
   FieldPlace found = field_place(from_eye_m, kSwayLevels);
-  return textureLod(sway_texels, vec3(found.place, float(4 * kSwayLevels * sway_species_count() + found.level)), 0.0).xyz;
+  return textureLod(sway_texels,
+                    vec3(found.place, float(4 * kSwayLevels * sway_species_count() + found.level)), 0.0)
+      .xyz;
 }
 
 #ifdef TRODDEN

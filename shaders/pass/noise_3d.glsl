@@ -1,5 +1,6 @@
-// Smooth noise in space, three independent values in [0, 1], from one hash per corner of the unit lattice; the first of them
-// also with its slope. For solid bodies, whose surface has no map that would not be stretched somewhere.
+// Smooth noise in space, three independent values in [0, 1], from one hash per corner of the unit lattice;
+// the first of them also with its slope. For solid bodies, whose surface has no map that would not be
+// stretched somewhere.
 #include "shaders/kernels/random.glsl"
 
 vec3 lattice_values(ivec3 node, uint seed) {
@@ -13,15 +14,19 @@ vec3 noise_3d(vec3 p, uint seed) {
   vec3 t = f * f * (3.0 - 2.0 * f);
   vec3 plane[2];
   for (int z = 0; z < 2; ++z) {
-    vec3 south = mix(lattice_values(node + ivec3(0, 0, z), seed), lattice_values(node + ivec3(1, 0, z), seed), t.x);
-    vec3 north = mix(lattice_values(node + ivec3(0, 1, z), seed), lattice_values(node + ivec3(1, 1, z), seed), t.x);
+    vec3 south =
+        mix(lattice_values(node + ivec3(0, 0, z), seed), lattice_values(node + ivec3(1, 0, z), seed), t.x);
+    vec3 north =
+        mix(lattice_values(node + ivec3(0, 1, z), seed), lattice_values(node + ivec3(1, 1, z), seed), t.x);
     plane[z] = mix(south, north, t.y);
   }
   return mix(plane[0], plane[1], t.z);
 }
 
 // How much of a pattern of this size is left to see where a pixel has that width.
-float seen_share(float pattern_m, float pixel_m) { return clamp(1.6 - 2.0 * pixel_m / pattern_m, 0.0, 1.0); }
+float seen_share(float pattern_m, float pixel_m) {
+  return clamp(1.6 - 2.0 * pixel_m / pattern_m, 0.0, 1.0);
+}
 
 // xyz: slope, w: value. Fifth-order blending, so that the slope has no creases along the lattice.
 vec4 noise_and_slope(vec3 p, uint seed) {
@@ -36,6 +41,7 @@ vec4 noise_and_slope(vec3 p, uint seed) {
   vec2 along_y = mix(along_x.xz, along_x.yw, t.y);
   vec2 step_y = along_x.yw - along_x.xz;
   vec2 step_x_y = mix(step_x.xz, step_x.yw, t.y);
-  vec3 slope = dt * vec3(mix(step_x_y.x, step_x_y.y, t.z), mix(step_y.x, step_y.y, t.z), along_y.y - along_y.x);
+  vec3 slope =
+      dt * vec3(mix(step_x_y.x, step_x_y.y, t.z), mix(step_y.x, step_y.y, t.z), along_y.y - along_y.x);
   return vec4(slope, mix(along_y.x, along_y.y, t.z));
 }

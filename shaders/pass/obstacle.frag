@@ -1,6 +1,7 @@
 #version 450 core
-// The surface of what stands in the meadow, from its layer of the painted textures (pass/obstacle_texture.frag),
-// in the light of sun, sky and the sward around. Alpha is the cover, and no grass grows on it.
+// The surface of what stands in the meadow, from its layer of the painted textures
+// (pass/obstacle_texture.frag), in the light of sun, sky and the sward around. Alpha is the cover, and no
+// grass grows on it.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/haze.glsl"
@@ -24,7 +25,8 @@ void main() {
   vec3 bend = 2.0 * surface.xyz - 1.0;
   vec3 facing = normalize(bend.z * normal + bend.x * tangent + bend.y * cross(normal, tangent));
   // Relief catches no sun where the face that bears it is turned away.
-  float sunward = dot(facing, frame.sun_direction) * clamp(8.0 * dot(normal, frame.sun_direction) + 0.2, 0.0, 1.0);
+  float sunward =
+      dot(facing, frame.sun_direction) * clamp(8.0 * dot(normal, frame.sun_direction) + 0.2, 0.0, 1.0);
   vec2 sky_and_sun = open_above(on_map_above_m.z, max(0.9 * frame.strip_height_m, 0.15));
   sky_and_sun *= vec2(surface.w, 0.5 + 0.5 * surface.w);
   vec3 light = solid_light(facing.z, sunward, sky_and_sun);

@@ -1,22 +1,27 @@
-// What the surfaces of things that stand in the meadow are like, each over one repeat of its texture: for a place on it
-// from 0 to 1 the relief (metres) and the albedo. One of BARK, END_GRAIN, GRANITE, BOARDS, DRY_STONE is set.
+// What the surfaces of things that stand in the meadow are like, each over one repeat of its texture: for a
+// place on it from 0 to 1 the relief (metres) and the albedo. One of BARK, END_GRAIN, GRANITE, BOARDS,
+// DRY_STONE is set.
 #include "shaders/pass/tiling_noise.glsl"
 
-float ramp(float low, float high, float x) { return clamp((x - low) / (high - low), 0.0, 1.0); }
+float ramp(float low, float high, float x) {
+  return clamp((x - low) / (high - low), 0.0, 1.0);
+}
 
 #ifdef BARK
 const vec2 kMapM = vec2(1.2, 1.2);
 // Long plates, parted by furrows that run up and join.
 float relief_m(vec2 at) {
   vec2 bent = vec2(tiling_noise(at * vec2(7.0, 6.0), ivec2(7, 6), 1u),
-                   tiling_noise(at * vec2(30.0, 14.0), ivec2(30, 14), 2u)) - 0.5;
+                   tiling_noise(at * vec2(30.0, 14.0), ivec2(30, 14), 2u)) -
+              0.5;
   vec2 p = at * vec2(26.0, 4.0) + vec2(1.1 * bent.x + 0.45 * bent.y, 0.8 * bent.x);
   float plate = smoothstep(0.0, 0.36, tiling_cells(p, ivec2(26, 4), 3u).x);
   vec2 q = at * vec2(34.0, 22.0) + vec2(1.2 * bent.y, 1.5 * bent.x + 0.9 * bent.y);
   float scales = smoothstep(0.0, 0.30, tiling_cells(q, ivec2(34, 22), 4u).x);
   float rough = tiling_noise(at * vec2(90.0, 48.0), ivec2(90, 48), 5u);
   float fine = tiling_noise(at * vec2(230.0, 110.0), ivec2(230, 110), 6u);
-  return 0.012 * plate * (0.60 + 0.20 * scales + 0.20 * rough) + 0.002 * scales + 0.0026 * rough + 0.0012 * fine;
+  return 0.012 * plate * (0.60 + 0.20 * scales + 0.20 * rough) + 0.002 * scales + 0.0026 * rough +
+         0.0012 * fine;
 }
 vec3 albedo_at(vec2 at, float height_m) {
   float out_of_furrow = ramp(0.0015, 0.0165, height_m);
@@ -77,14 +82,17 @@ vec3 albedo_at(vec2 at, float height_m) {
   float rust = smoothstep(0.5, 0.8, 0.6 * tiling_noise(at * 5.0, ivec2(5), 9u) + 0.4 * patchy);
   albedo *= mix(vec3(1.0), vec3(1.08, 0.94, 0.80), rust);
   // Mica, feldspar and quartz.
-  float mica = 0.5 * tiling_noise(at * 120.0, ivec2(120), 10u) + 0.5 * tiling_noise(at * 220.0, ivec2(220), 11u);
-  float feldspar = 0.5 * tiling_noise(at * 90.0, ivec2(90), 12u) + 0.5 * tiling_noise(at * 190.0, ivec2(190), 13u);
+  float mica =
+      0.5 * tiling_noise(at * 120.0, ivec2(120), 10u) + 0.5 * tiling_noise(at * 220.0, ivec2(220), 11u);
+  float feldspar =
+      0.5 * tiling_noise(at * 90.0, ivec2(90), 12u) + 0.5 * tiling_noise(at * 190.0, ivec2(190), 13u);
   albedo *= 1.0 - 0.65 * smoothstep(0.58, 0.68, mica);
   albedo = mix(albedo, vec3(0.36, 0.345, 0.325), 0.5 * smoothstep(0.58, 0.70, feldspar));
   // Lichen: pale green crusts, old dark ones, some yellow.
   float ragged = tiling_noise(at * 70.0, ivec2(70), 14u);
-  float crust = smoothstep(0.60, 0.66, 0.55 * tiling_noise(at * 10.0, ivec2(10), 15u) +
-                                           0.25 * tiling_noise(at * 27.0, ivec2(27), 16u) + 0.25 * ragged);
+  float crust = smoothstep(0.60, 0.66,
+                           0.55 * tiling_noise(at * 10.0, ivec2(10), 15u) +
+                               0.25 * tiling_noise(at * 27.0, ivec2(27), 16u) + 0.25 * ragged);
   albedo = mix(albedo, vec3(0.27, 0.29, 0.20) * (0.75 + 0.5 * ragged), 0.70 * crust);
   float old_crust = smoothstep(0.58, 0.66, 0.60 * tiling_noise(at * 8.0, ivec2(8), 17u) + 0.35 * ragged);
   albedo = mix(albedo, vec3(0.060, 0.058, 0.052), 0.50 * old_crust);
@@ -104,7 +112,8 @@ float to_joint(vec2 at) {
 float fibre(vec2 at, float scale, uint seed) {
   int board = int(floor(at.y * float(kBoards)));
   vec3 own = tiling_values(ivec2(board, 1), ivec2(kBoards, 2), 1u);
-  vec2 to_knot = (fract(at - vec2(own.x, (float(board) + 0.3 + 0.4 * own.y) / float(kBoards)) + 0.5) - 0.5) * kMapM;
+  vec2 to_knot =
+      (fract(at - vec2(own.x, (float(board) + 0.3 + 0.4 * own.y) / float(kBoards)) + 0.5) - 0.5) * kMapM;
   float bend = 0.020 * exp(-dot(to_knot * vec2(9.0, 22.0), to_knot * vec2(9.0, 22.0))) * sign(to_knot.y);
   float wave = 0.010 * (tiling_noise(at * vec2(6.0, 16.0), ivec2(6, 16), 2u) - 0.5);
   return tiling_noise(vec2(at.x * 7.0, (at.y + bend + wave) * scale), ivec2(7, int(scale)), seed);
@@ -112,7 +121,8 @@ float fibre(vec2 at, float scale, uint seed) {
 float knot(vec2 at) {
   int board = int(floor(at.y * float(kBoards)));
   vec3 own = tiling_values(ivec2(board, 1), ivec2(kBoards, 2), 1u);
-  vec2 to_knot = (fract(at - vec2(own.x, (float(board) + 0.3 + 0.4 * own.y) / float(kBoards)) + 0.5) - 0.5) * kMapM;
+  vec2 to_knot =
+      (fract(at - vec2(own.x, (float(board) + 0.3 + 0.4 * own.y) / float(kBoards)) + 0.5) - 0.5) * kMapM;
   return (1.0 - smoothstep(0.6, 1.0, length(to_knot / vec2(0.022, 0.013)))) * step(0.35, own.z);
 }
 float nail(vec2 at) {
@@ -129,7 +139,8 @@ float relief_m(vec2 at) {
 vec3 albedo_at(vec2 at, float height_m) {
   int board = int(floor(at.y * float(kBoards)));
   vec3 own = tiling_values(ivec2(board, 0), ivec2(kBoards, 2), 6u);
-  vec3 albedo = mix(vec3(0.215, 0.160, 0.108), vec3(0.205, 0.190, 0.170), 0.30 + 0.70 * own.y) * (0.70 + 0.55 * own.x);
+  vec3 albedo =
+      mix(vec3(0.215, 0.160, 0.108), vec3(0.205, 0.190, 0.170), 0.30 + 0.70 * own.y) * (0.70 + 0.55 * own.x);
   albedo *= (0.74 + 0.52 * fibre(at, 240.0, 4u)) * (0.72 + 0.56 * fibre(at, 72.0, 5u));
   albedo *= 0.85 + 0.30 * tiling_noise(at * vec2(5.0, 12.0), ivec2(5, 12), 7u);
   albedo = mix(albedo, vec3(0.060, 0.040, 0.026), 0.8 * knot(at));
@@ -154,8 +165,10 @@ float joint_at(int stone, int course) {
 // How far into its stone a place lies (metres), and a number of the stone.
 vec2 stone_at(vec2 at) {
   vec2 broad = at * vec2(14.0, 11.0), ragged = at * vec2(44.0, 33.0);
-  vec2 bent = 0.018 * (vec2(tiling_noise(broad, ivec2(14, 11), 1u), tiling_noise(broad, ivec2(14, 11), 2u)) - 0.5);
-  bent += 0.009 * (vec2(tiling_noise(ragged, ivec2(44, 33), 15u), tiling_noise(ragged, ivec2(44, 33), 16u)) - 0.5);
+  vec2 bent =
+      0.018 * (vec2(tiling_noise(broad, ivec2(14, 11), 1u), tiling_noise(broad, ivec2(14, 11), 2u)) - 0.5);
+  bent += 0.009 *
+          (vec2(tiling_noise(ragged, ivec2(44, 33), 15u), tiling_noise(ragged, ivec2(44, 33), 16u)) - 0.5);
   at += bent + vec2(0.0, 0.030 * (tiling_noise(at * vec2(5.0, 1.0), ivec2(5, 1), 3u) - 0.5));
   // Courses of unlike height, each joint shifted by itself.
   float place = at.y * float(kCourses);
@@ -216,7 +229,8 @@ vec3 albedo_at(vec2 at, float height_m) {
   albedo *= 0.78 + 0.44 * tiling_noise(at * vec2(24.0, 18.0), ivec2(24, 18), 11u);
   albedo *= 0.84 + 0.32 * tiling_noise(at * vec2(150.0, 112.0), ivec2(150, 112), 12u);
   float ragged = tiling_noise(at * vec2(80.0, 60.0), ivec2(80, 60), 13u);
-  float crust = smoothstep(0.62, 0.70, 0.70 * tiling_noise(at * vec2(13.0, 10.0), ivec2(13, 10), 14u) + 0.32 * ragged);
+  float crust =
+      smoothstep(0.62, 0.70, 0.70 * tiling_noise(at * vec2(13.0, 10.0), ivec2(13, 10), 14u) + 0.32 * ragged);
   albedo = mix(albedo, vec3(0.25, 0.26, 0.21), 0.6 * crust);
   return albedo * mix(0.12, 1.0, smoothstep(-0.004, 0.007, stone.x));
 }

@@ -1,11 +1,13 @@
 #version 450 core
-// Paints a layer of the textures in which what stands in the meadow finds its look (render/obstacle_texture.h).
+// Paints a layer of the textures in which what stands in the meadow finds its look
+// (render/obstacle_texture.h).
 #include "shaders/pass/obstacle_surface.glsl"
 
 layout(location = 0) uniform float texels;  // along a side
-layout(location = 1) uniform int places;    // 7: unknown to compilers, which would make as many copies of the relief
-layout(location = 0) out vec4 albedo;       // twice itself
-layout(location = 1) out vec4 surface;      // the normal from -1 to 1, openness to the sky
+layout(location = 1) uniform
+    int places;  // 7: unknown to compilers, which would make as many copies of the relief
+layout(location = 0) out vec4 albedo;   // twice itself
+layout(location = 1) out vec4 surface;  // the normal from -1 to 1, openness to the sky
 
 // How much of the sky relief takes: as far as what is this far around lies higher.
 const float kAroundM = 0.02;

@@ -1,5 +1,5 @@
-// The sphere unfolded onto a square by an octahedron (Cigolle et al. 2014, A Survey of Efficient Representations for Independent
-// Unit Vectors).
+// The sphere unfolded onto a square by an octahedron (Cigolle et al. 2014, A Survey of Efficient
+// Representations for Independent Unit Vectors).
 
 vec2 octahedral_place(vec3 direction) {
   vec3 n = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));

@@ -1,21 +1,25 @@
-// Bindings and work distribution that the planting shaders share: one invocation per blade, workgroups span cells.
+// Bindings and work distribution that the planting shaders share: one invocation per blade, workgroups span
+// cells.
 //
-// Cells, species and tables are read through buffer textures: where neighbouring invocations read different places, a
-// software renderer fetches four words from a texel in half the time that it takes to load one from a storage buffer. For the
-// same reason results are stored by whole texels.
+// Cells, species and tables are read through buffer textures: where neighbouring invocations read different
+// places, a software renderer fetches four words from a texel in half the time that it takes to load one from
+// a storage buffer. For the same reason results are stored by whole texels.
 layout(local_size_x = kPlantingGroup) in;
 
-layout(binding = 0) uniform usamplerBuffer cell_texels;       // DrawnCell
-layout(binding = 1) uniform samplerBuffer table_texels;       // the cells' tables
-layout(binding = 3) uniform usamplerBuffer group_texels;      // first cell of each workgroup
+layout(binding = 0) uniform usamplerBuffer cell_texels;   // DrawnCell
+layout(binding = 1) uniform samplerBuffer table_texels;   // the cells' tables
+layout(binding = 3) uniform usamplerBuffer group_texels;  // first cell of each workgroup
 
 layout(location = 0) uniform uint blade_count;
 
-vec4 table_texel(uint texel) { return texelFetch(table_texels, int(texel)); }
+vec4 table_texel(uint texel) {
+  return texelFetch(table_texels, int(texel));
+}
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/species.glsl"
 
-// A software renderer fetches a cell's features whether it has some or not, so shaders are made with and without.
+// A software renderer fetches a cell's features whether it has some or not, so shaders are made with and
+// without.
 Features planting_features(PlantedCell cell, vec2 local_m) {
 #ifdef FEATURE_MAPS
   return features_of(cell, local_m);
@@ -27,7 +31,8 @@ Features planting_features(PlantedCell cell, vec2 local_m) {
 // The cell that blade `index` of the batch belongs to, from its workgroup's first one on.
 uint cell_of(uint index) {
   int cell = int(texelFetch(group_texels, int(gl_WorkGroupID.x)).x);
-  while (index >= texelFetch(cell_texels, cell * kCellTexels + 5).w + texelFetch(cell_texels, cell * kCellTexels + 6).x) {
+  while (index >= texelFetch(cell_texels, cell * kCellTexels + 5).w +
+                      texelFetch(cell_texels, cell * kCellTexels + 6).x) {
     ++cell;
   }
   return uint(cell);

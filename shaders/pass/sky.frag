@@ -1,5 +1,6 @@
 #version 450 core
-// The sky behind everything: a gradient from zenith to horizon, the sun's glow, a few clouds (shaders/pass/sky_map.frag).
+// The sky behind everything: a gradient from zenith to horizon, the sun's glow, a few clouds
+// (shaders/pass/sky_map.frag).
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 

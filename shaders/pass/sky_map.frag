@@ -1,9 +1,11 @@
 #version 450 core
-// The sky's upper half as a map in which a direction lies at direction.xy / (1 + direction.z): made once per light, read by
-// shaders/pass/sky.frag for every pixel of every frame.
+// The sky's upper half as a map in which a direction lies at direction.xy / (1 + direction.z): made once per
+// light, read by shaders/pass/sky.frag for every pixel of every frame.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
-vec4 table_texel(uint texel) { return vec4(0.0f); }
+vec4 table_texel(uint texel) {
+  return vec4(0.0f);
+}
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/haze.glsl"
 #include "shaders/pass/value_noise.glsl"
@@ -28,7 +30,8 @@ void main() {
   vec3 direction = vec3(2.0 * clip_xy, 1.0 - radius2) / (1.0 + radius2);
   direction = normalize(vec3(direction.xy, max(direction.z, 0.0)));
   vec3 sky = sky_radiance(direction);
-  float clouds = cloud_cover(direction.xy / (direction.z + 0.12) * vec2(1.1, 1.7) + 3.0) * smooth_ramp(direction.z * 5.0 - 0.15);
+  float clouds = cloud_cover(direction.xy / (direction.z + 0.12) * vec2(1.1, 1.7) + 3.0) *
+                 smooth_ramp(direction.z * 5.0 - 0.15);
   float towards_sun = max(dot(direction, frame.sun_direction), 0.0);
   vec3 lit = 1.15 * frame.horizon_radiance + frame.sun_radiance * (0.05 + 0.25 * pow(towards_sun, 6.0));
   color = vec4(mix(sky, lit, 0.75 * clouds), 0.0);

@@ -1,6 +1,6 @@
 #version 450 core
-// The surface of BOARDS or a WHEEL, each a program of its own, for a software renderer walks through all branches. Alpha is the
-// cover, and no grass grows on it.
+// The surface of BOARDS or a WHEEL, each a program of its own, for a software renderer walks through all
+// branches. Alpha is the cover, and no grass grows on it.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 #include "shaders/pass/haze.glsl"

@@ -6,7 +6,7 @@
 
 layout(location = 0) uniform uint first_solid;
 
-layout(location = 0) in vec3 place;   // shares of the half size, edges not yet rounded
+layout(location = 0) in vec3 place;  // shares of the half size, edges not yet rounded
 layout(location = 1) in vec3 facing;
 
 layout(location = 0) out vec3 from_eye_m;

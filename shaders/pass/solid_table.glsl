@@ -1,6 +1,10 @@
 // The solids of a frame (render/solid_pass.h).
 #include "shaders/shared/solid.glsl"
 
-layout(std430, binding = 5) readonly buffer SolidTable { SolidParams solids[]; };
+layout(std430, binding = 5) readonly buffer SolidTable {
+  SolidParams solids[];
+};
 
-mat3 scene_from_body(SolidParams solid) { return mat3(solid.forward, solid.left, solid.up); }
+mat3 scene_from_body(SolidParams solid) {
+  return mat3(solid.forward, solid.left, solid.up);
+}

@@ -1,12 +1,13 @@
-// A granite boulder of radius kStoneRadiusM: worn flat in places, speckled with its minerals, lichen on it. Everything is fixed
-// to the body, so that one sees it roll. Too dear to find for every pixel of a frame; painted once (shaders/pass/stone_map.frag).
+// A granite boulder of radius kStoneRadiusM: worn flat in places, speckled with its minerals, lichen on it.
+// Everything is fixed to the body, so that one sees it roll. Too dear to find for every pixel of a frame;
+// painted once (shaders/pass/stone_map.frag).
 #include "shaders/pass/noise_3d.glsl"
 
 const float kStoneRadiusM = 0.45;
 const float kStoneRoughness = 0.06;  // depth of its dents over its radius
 
-// How deep the surface lies under the sphere in a direction, 0 to 1 (w), and the slope of that (xyz). Steep between two
-// levels and level on them: faces with edges rather than waves.
+// How deep the surface lies under the sphere in a direction, 0 to 1 (w), and the slope of that (xyz). Steep
+// between two levels and level on them: faces with edges rather than waves.
 vec4 stone_dent(vec3 direction, uint seed) {
   vec4 sum = 0.58 * noise_and_slope(1.7 * direction, seed) * vec4(vec3(1.7), 1.0);
   sum += 0.28 * noise_and_slope(3.9 * direction, seed + 1u) * vec4(vec3(3.9), 1.0);

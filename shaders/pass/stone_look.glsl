@@ -1,4 +1,5 @@
-// The painted look of stones (shaders/pass/stone_map.frag), turned about by their seed so that no two lie alike.
+// The painted look of stones (shaders/pass/stone_map.frag), turned about by their seed so that no two lie
+// alike.
 #include "shaders/pass/octahedral.glsl"
 layout(binding = 1) uniform sampler2D stone_albedo_map;
 layout(binding = 2) uniform sampler2D stone_surface_map;
@@ -13,4 +14,6 @@ vec3 turned_by_seed(vec3 v, uint seed) {
 }
 
 // How deep the surface lies under the sphere, 0 to 1.
-float stone_dent_at(vec3 on_map) { return textureLod(stone_surface_map, octahedral_place(on_map), 0.0).w; }
+float stone_dent_at(vec3 on_map) {
+  return textureLod(stone_surface_map, octahedral_place(on_map), 0.0).w;
+}

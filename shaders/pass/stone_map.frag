@@ -5,8 +5,8 @@
 
 layout(location = 0) uniform float texels;  // along a side
 layout(location = 1) uniform vec3 mean_albedo;
-layout(location = 0) out vec4 albedo;            // twice itself
-layout(location = 1) out vec4 normal_and_dent;   // the normal from -1 to 1
+layout(location = 0) out vec4 albedo;           // twice itself
+layout(location = 1) out vec4 normal_and_dent;  // the normal from -1 to 1
 
 void main() {
   vec3 direction = octahedral_direction(gl_FragCoord.xy / texels);

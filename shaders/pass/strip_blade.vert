@@ -17,5 +17,6 @@ void main() {
   radiance = vertex_radiance;
   rank = (float(gl_VertexID / int(vertices_per_blade)) + 0.5) / blades;
   float x = dot(position_m, along) + shift_m;
-  gl_Position = vec4(2.0 * x / frame.tile_m - 1.0, 2.0 * position_m.z / frame.strip_height_m - 1.0, 1.0 - rank, 1.0);
+  gl_Position =
+      vec4(2.0 * x / frame.tile_m - 1.0, 2.0 * position_m.z / frame.strip_height_m - 1.0, 1.0 - rank, 1.0);
 }

@@ -1,14 +1,16 @@
 #version 450 core
-// The strips around tiles (G03 §3.4), as seen from the eye: one invocation makes the foot and the top of one column of a
-// strip. Strips of both tiles of an edge coincide, each grown by its own tile's morph.
+// The strips around tiles (G03 §3.4), as seen from the eye: one invocation makes the foot and the top of one
+// column of a strip. Strips of both tiles of an edge coincide, each grown by its own tile's morph.
 //
-// Deviation: a strip has no light of its own. It is painted in the mean colour that the tile's blades would show from here
-// (render/sward_response.h); its texture holds what single blades differ from that by.
+// Deviation: a strip has no light of its own. It is painted in the mean colour that the tile's blades would
+// show from here (render/sward_response.h); its texture holds what single blades differ from that by.
 #include "shaders/pass/layouts.glsl"
 #include "shaders/pass/frame_block.glsl"
 layout(local_size_x = kPlantingGroup) in;
 
-vec4 table_texel(uint texel) { return vec4(0.0f); }
+vec4 table_texel(uint texel) {
+  return vec4(0.0f);
+}
 #include "shaders/pass/kernels.glsl"
 #include "shaders/pass/species.glsl"
 #include "shaders/pass/haze.glsl"
@@ -21,7 +23,9 @@ vec4 table_texel(uint texel) { return vec4(0.0f); }
 
 layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
 layout(binding = 1) uniform samplerBuffer strip_traits;  // StripTraits (render/strip_pass.h), by species
-layout(std430, binding = 4) writeonly buffer StripVertices { uvec4 vertices[]; };  // StripVertex
+layout(std430, binding = 4) writeonly buffer StripVertices {
+  uvec4 vertices[];
+};  // StripVertex
 layout(location = 0) uniform uint column_count;
 layout(location = 1) uniform uint first_tile;
 layout(location = 2) uniform uint first_column;
@@ -29,17 +33,21 @@ layout(location = 3) uniform uint quads;  // along a side
 
 const int kSides = 4;
 
-// What the tile's blades would show along the line of sight to a place: themselves, and where one sees between the rows of
-// strips as much of the floor as there, or the rows would stand out as lines.
-uint radiance_at(vec3 from_eye_m, vec3 normal, vec2 lean, float density_per_m2, float height_m, float blade_height, vec3 color_factor, uint species) {
+// What the tile's blades would show along the line of sight to a place: themselves, and where one sees
+// between the rows of strips as much of the floor as there, or the rows would stand out as lines.
+uint radiance_at(vec3 from_eye_m, vec3 normal, vec2 lean, float density_per_m2, float height_m,
+                 float blade_height, vec3 color_factor, uint species) {
   vec3 to_eye = normalized(-from_eye_m);
   SwardView view = sward_view(normal, to_eye);
-  float optical_depth = sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * blade_height);
-  vec3 color = sward_color(1 + int(species), view, optical_depth, shade_of(density_per_m2, frame.shade_density_per_m2));
+  float optical_depth =
+      sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * blade_height);
+  vec3 color = sward_color(1 + int(species), view, optical_depth,
+                           shade_of(density_per_m2, frame.shade_density_per_m2));
 #ifdef MOVING
   color *= leaning_light(normal, lean);
 #endif
-  float crossing = min(height_m * (abs(to_eye.x) + abs(to_eye.y)) / (view.sin_elevation * frame.tile_m), 1.0f);
+  float crossing =
+      min(height_m * (abs(to_eye.x) + abs(to_eye.y)) / (view.sin_elevation * frame.tile_m), 1.0f);
   color = mix(color, litter_radiance(frame.mean_albedo), (1.0f - crossing) * exp(-optical_depth));
   return pack_radiance(hazed(tinted_tier(color * color_factor, kStripTint), haze_at(from_eye_m)));
 }
@@ -66,12 +74,15 @@ void main() {
 
   // Counter-clockwise from the south-west corner.
   float along = float(quarter) / float(kStripQuads);
-  vec2 place = side == 0 ? vec2(along, 0.0f) : (side == 1 ? vec2(1.0f, along) : (side == 2 ? vec2(1.0f - along, 1.0f) : vec2(0.0f, 1.0f - along)));
+  vec2 place = side == 0 ? vec2(along, 0.0f)
+                         : (side == 1 ? vec2(1.0f, along)
+                                      : (side == 2 ? vec2(1.0f - along, 1.0f) : vec2(0.0f, 1.0f - along)));
   vec3 foot_m = a.xyz + vec3(place * side_m, heights_m[point & (kStripQuads - 1)]);
 
   // Densities lie at the middles of cells.
   vec2 between = clamp(2.0f * place - 0.5f, 0.0f, 1.0f);
-  float own_per_m2 = mix(mix(density_per_m2.x, density_per_m2.y, between.x), mix(density_per_m2.z, density_per_m2.w, between.x), between.y);
+  float own_per_m2 = mix(mix(density_per_m2.x, density_per_m2.y, between.x),
+                         mix(density_per_m2.z, density_per_m2.w, between.x), between.y);
   float all_per_m2 = own_per_m2 + c.w;
 
   vec4 south_m = uintBitsToFloat(texelFetch(tile_texels, first + 4));
@@ -81,7 +92,8 @@ void main() {
   float blade_height = uintBitsToFloat(b.y);
   vec4 traits = texelFetch(strip_traits, int(species_index));
   float standing = traits.x;
-  float height_m = standing * species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
+  float height_m =
+      standing * species.height_m * (1.0f + kTallestSpread * species.height_spread) * blade_height;
 #ifdef MOVING
   Swaying swaying = swaying_at(foot_m.xy, species_index);
   vec3 swayed = swayed_tip(swaying);
@@ -90,7 +102,8 @@ void main() {
 #ifdef TRODDEN
   Pressing pressing = pressing_at(foot_m.xy);
   float lying = lying_share(pressing);
-  upward = normalized(upward * (1.0f - lying) + vec3(pressing.lean_rad, 0.03f)) * (worn_length(pressing.wear) * sqrt(inner(upward, upward)));
+  upward = normalized(upward * (1.0f - lying) + vec3(pressing.lean_rad, 0.03f)) *
+           (worn_length(pressing.wear) * sqrt(inner(upward, upward)));
   lean += 0.8f * pressing.lean_rad;
 #endif
 #else
@@ -102,10 +115,10 @@ void main() {
   color_factor *= condition_at(foot_m.xy).rgb;
 #endif
   vec3 top_m = foot_m + upward * (height_m * grown);
-  uint foot_radiance =
-      radiance_at(foot_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
-  uint top_radiance =
-      radiance_at(top_m, normal, lean, all_per_m2, height_m * grown, blade_height, color_factor, species_index);
+  uint foot_radiance = radiance_at(foot_m, normal, lean, all_per_m2, height_m * grown, blade_height,
+                                   color_factor, species_index);
+  uint top_radiance = radiance_at(top_m, normal, lean, all_per_m2, height_m * grown, blade_height,
+                                  color_factor, species_index);
 
   // Which of its faces is seen: south, east, north or west.
   bool is_east_west = (side & 1) == 0;

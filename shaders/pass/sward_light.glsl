@@ -1,6 +1,7 @@
 // The light on what stands in a sward.
 
-// What of the sky and of the sun a place sees this far above the ground: blades around take most of it next to their feet.
+// What of the sky and of the sun a place sees this far above the ground: blades around take most of it next
+// to their feet.
 const float kLeastSky = 0.22;
 const float kLeastSun = 0.10;
 // Light that sunlit grass throws up at a face that looks straight down.
@@ -15,6 +16,7 @@ vec2 open_above(float above_m, float in_sward_m) {
 // `rise`, `sunward`: cosines of the surface's normal to straight up and to the sun.
 vec3 solid_light(float rise, float sunward, vec2 sky_and_sun) {
   vec3 ambient = mix(frame.root_ambient, frame.top_ambient, 0.5 + 0.5 * rise);
-  ambient += kBounce * (0.5 - 0.5 * rise) * frame.mean_albedo * frame.sun_radiance * max(frame.sun_direction.z, 0.0);
+  ambient +=
+      kBounce * (0.5 - 0.5 * rise) * frame.mean_albedo * frame.sun_radiance * max(frame.sun_direction.z, 0.0);
   return sky_and_sun.x * ambient + sky_and_sun.y * max(sunward, 0.0) * frame.sun_radiance;
 }

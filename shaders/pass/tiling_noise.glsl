@@ -10,13 +10,15 @@ float tiling_noise(vec2 p, ivec2 period, uint seed) {
   ivec2 node = ivec2(floor(p));
   vec2 f = p - vec2(node);
   vec2 t = f * f * (3.0 - 2.0 * f);
-  float south = mix(tiling_values(node, period, seed).x, tiling_values(node + ivec2(1, 0), period, seed).x, t.x);
-  float north =
-      mix(tiling_values(node + ivec2(0, 1), period, seed).x, tiling_values(node + ivec2(1, 1), period, seed).x, t.x);
+  float south =
+      mix(tiling_values(node, period, seed).x, tiling_values(node + ivec2(1, 0), period, seed).x, t.x);
+  float north = mix(tiling_values(node + ivec2(0, 1), period, seed).x,
+                    tiling_values(node + ivec2(1, 1), period, seed).x, t.x);
   return mix(south, north, t.y);
 }
 
-// One point in each square (Worley 1996): how much nearer the nearest is than the next (x), and a value of its own (y).
+// One point in each square (Worley 1996): how much nearer the nearest is than the next (x), and a value of
+// its own (y).
 vec2 tiling_cells(vec2 p, ivec2 period, uint seed) {
   ivec2 node = ivec2(floor(p));
   vec3 nearest = vec3(9.0, 9.0, 0.0);

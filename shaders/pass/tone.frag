@@ -9,5 +9,6 @@ layout(location = 0) out vec4 color;
 
 void main() {
   vec3 linear = exposure * texelFetch(linear_picture, ivec2(gl_FragCoord.xy), 0).rgb;
-  color = vec4(srgb_from_linear(tone_curve(linear.r)), srgb_from_linear(tone_curve(linear.g)), srgb_from_linear(tone_curve(linear.b)), 1.0);
+  color = vec4(srgb_from_linear(tone_curve(linear.r)), srgb_from_linear(tone_curve(linear.g)),
+               srgb_from_linear(tone_curve(linear.b)), 1.0);
 }

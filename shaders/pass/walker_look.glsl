@@ -35,7 +35,8 @@ vec3 head_albedo(WalkerParams walker, vec3 p, float pixel_m) {
     float lid = spot(side - vec2(0.0315, 1.6400), vec2(0.0165, 0.008), pixel_m);
     float lashes = lid * stroke(side.y - 1.6400, 0.0013, pixel_m);
     skin = mix(skin, vec3(0.022, 0.018, 0.014), max(iris, 0.85 * lashes));
-    float brow = spot(side - vec2(0.0325, 1.6545 - 0.10 * abs(side.x - 0.028)), vec2(0.0190, 0.0036), pixel_m);
+    float brow =
+        spot(side - vec2(0.0325, 1.6545 - 0.10 * abs(side.x - 0.028)), vec2(0.0190, 0.0036), pixel_m);
     skin = mix(skin, 0.8 * walker.hair, 0.8 * brow);
     float nostril = spot(side - vec2(0.0085, 1.5930), vec2(0.0040, 0.0024), pixel_m);
     skin *= 1.0 - 0.6 * nostril;
@@ -67,8 +68,10 @@ vec3 walker_albedo(WalkerParams walker, uint material, vec3 p, float pixel_m) {
   }
   // The front closes along the middle; cuffs, hem and collar are hemmed.
   float line = 0.0;
-  if (p.x > 0.03 && abs(p.y) < 0.1) line = stroke(p.y, 0.003, pixel_m) * min(0.006 / max(pixel_m, 0.006), 1.0);
-  float hems = max(stroke(p.z - 0.862, 0.0015, pixel_m), abs(p.y) > 0.13 ? stroke(p.z - 0.868, 0.0015, pixel_m) : 0.0);
+  if (p.x > 0.03 && abs(p.y) < 0.1)
+    line = stroke(p.y, 0.003, pixel_m) * min(0.006 / max(pixel_m, 0.006), 1.0);
+  float hems =
+      max(stroke(p.z - 0.862, 0.0015, pixel_m), abs(p.y) > 0.13 ? stroke(p.z - 0.868, 0.0015, pixel_m) : 0.0);
   hems *= min(0.003 / max(pixel_m, 0.003), 1.0);
   return walker.jacket * (1.0 - 0.55 * line - 0.3 * hems) * (1.0 + 0.11 * folds(p, pixel_m));
 }

@@ -2,5 +2,5 @@
 
 struct GrownVertex {
   vec3 position_m;
-  uint radiance;       // packed (shaders/kernels/radiance.glsl)
+  uint radiance;  // packed (shaders/kernels/radiance.glsl)
 };

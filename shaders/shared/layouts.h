@@ -1,5 +1,5 @@
-// The struct layouts that C++ and GLSL share, read as C++: the files of this folder with GLM's types, and the proof that
-// both sides see the same bytes (std430).
+// The struct layouts that C++ and GLSL share, read as C++: the files of this folder with GLM's types, and the
+// proof that both sides see the same bytes (std430).
 #pragma once
 
 #include <cstddef>
@@ -45,15 +45,15 @@ using layouts::DrawnCell;
 using layouts::FrameParams;
 using layouts::GrownVertex;
 using layouts::HeatSquare;
+using layouts::kBrightest;
+using layouts::kSwardDeepest;
+using layouts::kSwardLowestSine;
+using layouts::kSwayPeriodS;
 using layouts::LineParams;
 using layouts::LodCoefficients;
 using layouts::PlantedCell;
 using layouts::SolidParams;
 using layouts::SpeciesParams;
-using layouts::kBrightest;
-using layouts::kSwardDeepest;
-using layouts::kSwardLowestSine;
-using layouts::kSwayPeriodS;
 using layouts::StripTile;
 using layouts::StripVertex;
 using layouts::WalkerParams;

@@ -5,5 +5,5 @@ struct LineParams {
   float reserved_of_start;  // these fill the rows
   vec3 end_from_eye_m;
   float reserved_of_end;
-  vec4 color;               // linear; its cover
+  vec4 color;  // linear; its cover
 };

@@ -2,8 +2,8 @@
 
 struct StripVertex {
   vec3 position_m;
-  uint radiance;       // packed (shaders/kernels/radiance.glsl): the mean of what the blades show
-  vec2 place;          // in the strips' texture
+  uint radiance;  // packed (shaders/kernels/radiance.glsl): the mean of what the blades show
+  vec2 place;     // in the strips' texture
   float layer;
-  float shown;         // share of the texture's blades
+  float shown;  // share of the texture's blades
 };

@@ -5,15 +5,15 @@ const uint kWalkerBoneRows = 57u;  // three for each joint of agents/skeleton.h
 struct WalkerParams {
   vec4 bones[kWalkerBoneRows];  // they put a point of the resting figure where it is
   vec3 skin;
-  float ground_from_eye_m;   // height of the ground under its lower foot
+  float ground_from_eye_m;  // height of the ground under its lower foot
   vec3 hair;
-  float in_sward_m;          // how far up from there the sward darkens it
+  float in_sward_m;  // how far up from there the sward darkens it
   vec3 jacket;
   uint seed;
   vec3 trousers;
-  float reserved_trousers;   // fills the row
+  float reserved_trousers;  // fills the row
   vec3 shoes;
-  float reserved_shoes;      // fills the row
+  float reserved_shoes;  // fills the row
 };
 
 const uint kWalkerSkin = 0u;

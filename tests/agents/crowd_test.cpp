@@ -24,7 +24,8 @@ double signed_distance_m(glm::dvec2 place_m, const std::vector<glm::dvec2>& ring
     const glm::dvec2 a = ring_m[last], b = ring_m[n], edge = b - a;
     const double t = std::clamp(glm::dot(place_m - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
     nearest_m = std::min(nearest_m, glm::distance(place_m, a + t * edge));
-    if ((a.y > place_m.y) != (b.y > place_m.y) && place_m.x < (b.x - a.x) * (place_m.y - a.y) / (b.y - a.y) + a.x)
+    if ((a.y > place_m.y) != (b.y > place_m.y) &&
+        place_m.x < (b.x - a.x) * (place_m.y - a.y) / (b.y - a.y) + a.x)
       is_inside = !is_inside;
   }
   return is_inside ? -nearest_m : nearest_m;
@@ -59,14 +60,16 @@ class Standing {
       } else if (const auto* block = std::get_if<Block>(&obstacle)) {
         const PlacedBlock at = placed(*block, scene.ground);
         std::vector<glm::dvec2> corners;
-        for (const glm::dvec2 c : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
+        for (const glm::dvec2 c :
+             {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
           corners.push_back(glm::dvec2(at.centre_m + at.axes * (glm::dvec3(c, 0.0) * at.half_size_m)));
         rings_.push_back({corners, 1.0});
       } else {
         const Rock& rock = std::get<Rock>(obstacle);
         const RockFrame frame = placed(rock, scene.ground);
         std::vector<glm::dvec2> points;
-        for (const glm::dvec3& v : hull_of(rock).vertices_m) points.push_back(glm::dvec2(frame.origin_m + frame.axes * v));
+        for (const glm::dvec3& v : hull_of(rock).vertices_m)
+          points.push_back(glm::dvec2(frame.origin_m + frame.axes * v));
         rings_.push_back({hull_ring(points), 1.0});
       }
     }
@@ -79,14 +82,17 @@ class Standing {
 
   double distance_m(glm::dvec2 place_m) const {
     double nearest_m = 1e30;
-    for (const Trunk& trunk : trunks_) nearest_m = std::min(nearest_m, glm::distance(place_m, trunk.position_m) - trunk.radius_m);
-    for (const auto& [ring_m, side] : rings_) nearest_m = std::min(nearest_m, side * signed_distance_m(place_m, ring_m));
+    for (const Trunk& trunk : trunks_)
+      nearest_m = std::min(nearest_m, glm::distance(place_m, trunk.position_m) - trunk.radius_m);
+    for (const auto& [ring_m, side] : rings_)
+      nearest_m = std::min(nearest_m, side * signed_distance_m(place_m, ring_m));
     return nearest_m;
   }
 
  private:
   std::vector<Trunk> trunks_;
-  std::vector<std::pair<std::vector<glm::dvec2>, double>> rings_;  // and 1 where their inside is solid, −1 where it is free
+  std::vector<std::pair<std::vector<glm::dvec2>, double>>
+      rings_;  // and 1 where their inside is solid, −1 where it is free
 };
 
 struct Walked {
@@ -137,7 +143,8 @@ Walked walk(const CrowdScene& scene, std::uint64_t seed, double duration_s) {
       double nearest_m = standing_m - radius_m;
       for (std::size_t b = 0; b < count; ++b) {
         if (b == a) continue;
-        nearest_m = std::min(nearest_m, glm::distance(place_m, crowd.walkers()[b].position_m) - radius_m - crowd.traits()[b].radius_m);
+        nearest_m = std::min(nearest_m, glm::distance(place_m, crowd.walkers()[b].position_m) - radius_m -
+                                            crowd.traits()[b].radius_m);
       }
       nearest_m = std::min(nearest_m, crowd.traits()[a].sensor_m);
       walked.worst_d_m = std::max(walked.worst_d_m, std::abs(nearest_m - percepts[a].distance_m));
@@ -146,7 +153,8 @@ Walked walk(const CrowdScene& scene, std::uint64_t seed, double duration_s) {
       double off_m = std::abs(standing.distance_m(end_m));
       for (std::size_t b = 0; b < count; ++b) {
         if (b == a) continue;
-        off_m = std::min(off_m, std::abs(glm::distance(end_m, crowd.walkers()[b].position_m) - crowd.traits()[b].radius_m));
+        off_m = std::min(off_m, std::abs(glm::distance(end_m, crowd.walkers()[b].position_m) -
+                                         crowd.traits()[b].radius_m));
       }
       walked.worst_end_m = std::max(walked.worst_end_m, off_m);
     }
@@ -157,9 +165,11 @@ Walked walk(const CrowdScene& scene, std::uint64_t seed, double duration_s) {
 
 void expect_nobody_walks_through(std::uint64_t seed) {
   const Walked walked = walk(crowd_scene(), seed, 600.0);
-  fmt::print("seed {}: least gap {:.5f} m, centre {:.3f} m, overlap {:.6f} m, least way {:.0f} m, longest stuck {:.1f} s, d off by {:.1e} m, its end by {:.1e} m\n", seed,
-             walked.least_gap_m, walked.least_centre_m, walked.deepest_overlap_m, walked.least_way_m, walked.longest_stuck_s, walked.worst_d_m,
-             walked.worst_end_m);
+  fmt::print(
+      "seed {}: least gap {:.5f} m, centre {:.3f} m, overlap {:.6f} m, least way {:.0f} m, longest stuck "
+      "{:.1f} s, d off by {:.1e} m, its end by {:.1e} m\n",
+      seed, walked.least_gap_m, walked.least_centre_m, walked.deepest_overlap_m, walked.least_way_m,
+      walked.longest_stuck_s, walked.worst_d_m, walked.worst_end_m);
   EXPECT_GT(walked.least_centre_m, 0.0);
   EXPECT_GT(walked.least_gap_m, 0.0);
   EXPECT_LE(walked.deepest_overlap_m, 0.02);
@@ -172,8 +182,12 @@ void expect_nobody_walks_through(std::uint64_t seed) {
 class CrowdTest : public testing::TestWithParam<int> {};
 class CrowdLongTest : public testing::TestWithParam<int> {};
 
-TEST_P(CrowdTest, NobodyWalksThroughAnything) { expect_nobody_walks_through(static_cast<std::uint64_t>(GetParam())); }
-TEST_P(CrowdLongTest, NobodyWalksThroughAnything) { expect_nobody_walks_through(static_cast<std::uint64_t>(GetParam())); }
+TEST_P(CrowdTest, NobodyWalksThroughAnything) {
+  expect_nobody_walks_through(static_cast<std::uint64_t>(GetParam()));
+}
+TEST_P(CrowdLongTest, NobodyWalksThroughAnything) {
+  expect_nobody_walks_through(static_cast<std::uint64_t>(GetParam()));
+}
 INSTANTIATE_TEST_SUITE_P(Seeds, CrowdTest, testing::Range(1, 4));
 INSTANTIATE_TEST_SUITE_P(Seeds, CrowdLongTest, testing::Range(4, 21));
 

@@ -36,9 +36,10 @@ DrivenCart driven(DrivenCart cart, const CartControls& controls, double seconds,
 }
 
 bool is_sound(const DrivenCart& cart) {
-  return std::isfinite(cart.position_m.x) && std::isfinite(cart.position_m.y) && std::abs(cart.heading_rad) < 4.0 &&
-         cart.speed_m_per_s <= kMostCartSpeedMPerS && cart.speed_m_per_s >= -kMostCartBackingMPerS &&
-         std::abs(cart.turned_rad) < 1.0 && std::isfinite(cart.rolled_m);
+  return std::isfinite(cart.position_m.x) && std::isfinite(cart.position_m.y) &&
+         std::abs(cart.heading_rad) < 4.0 && cart.speed_m_per_s <= kMostCartSpeedMPerS &&
+         cart.speed_m_per_s >= -kMostCartBackingMPerS && std::abs(cart.turned_rad) < 1.0 &&
+         std::isfinite(cart.rolled_m);
 }
 
 TEST(DrivenCart, StandsStillWithoutInputAlsoOnASlope) {
@@ -82,7 +83,8 @@ TEST(DrivenCart, TurnsWithItsRadius) {
     cart.speed_m_per_s = 1.0;
     cart.turned_rad = 0.3;
     const auto hind_m = [&] {
-      return cart.position_m - 0.5 * wheelbase_m * glm::dvec2(std::cos(cart.heading_rad), std::sin(cart.heading_rad));
+      return cart.position_m -
+             0.5 * wheelbase_m * glm::dvec2(std::cos(cart.heading_rad), std::sin(cart.heading_rad));
     };
     const double radius_m = wheelbase_m / std::tan(0.3);
     const glm::dvec2 middle_m =
@@ -106,7 +108,8 @@ TEST(DrivenCart, DoesNotSlipAtSpeed) {
 }
 
 TEST(DrivenCart, KeepsOnTheGround) {
-  const HeightField ground = ground_of([](glm::dvec2 p) { return 2.0 * std::sin(0.15 * p.x) * std::cos(0.12 * p.y); });
+  const HeightField ground =
+      ground_of([](glm::dvec2 p) { return 2.0 * std::sin(0.15 * p.x) * std::cos(0.12 * p.y); });
   DrivenCart cart;
   for (int n = 0; n < 600; ++n) {
     cart = driven_on(cart, {1.0, n % 200 < 100 ? 0.4 : -0.4}, kDtS, ground);
@@ -133,12 +136,18 @@ TEST(DrivenCart, TakesNoTimeThatIsNone) {
 
 TEST(DrivenCart, StaysFiniteWhateverTheKeys) {
   std::mt19937 random(4);
-  const double values[] = {0.0, 1.0, -1.0, 1e300, -1e300, std::numeric_limits<double>::quiet_NaN(),
+  const double values[] = {0.0,
+                           1.0,
+                           -1.0,
+                           1e300,
+                           -1e300,
+                           std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity()};
   DrivenCart cart;
   cart.position_m = {999'999.0, -999'999.0};
   for (int n = 0; n < 20'000; ++n) {
-    cart = driven_on(cart, {values[random() % 7], values[random() % 7]}, 0.01 * static_cast<double>(random() % 20), slope());
+    cart = driven_on(cart, {values[random() % 7], values[random() % 7]},
+                     0.01 * static_cast<double>(random() % 20), slope());
     ASSERT_TRUE(is_sound(cart)) << n;
   }
 }

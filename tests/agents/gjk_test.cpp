@@ -169,14 +169,15 @@ void all_kinds_hold_together() {
   for (int n = 0; n < 2000; ++n) {
     const BoxShape<D, Real> box = random_box<D, Real>(draw, 1.5), other = random_box<D, Real>(draw, 1.5);
     const SphereShape<D, Real> sphere{glm::vec<D, Real>(place<D>(draw, 1.5)),
-                                 static_cast<Real>(draw.within(0.0, 1.0))};
+                                      static_cast<Real>(draw.within(0.0, 1.0))};
     const SphereShape<D, Real> ball{glm::vec<D, Real>(place<D>(draw, 1.5)),
-                               static_cast<Real>(draw.within(0.0, 1.0))};
+                                    static_cast<Real>(draw.within(0.0, 1.0))};
     const CapsuleShape<D, Real> capsule{glm::vec<D, Real>(place<D>(draw, 1.5)),
-                                   glm::vec<D, Real>(place<D>(draw, 1.5)),
-                                   static_cast<Real>(draw.within(0.0, 0.6))};
-    const CapsuleShape<D, Real> rod{glm::vec<D, Real>(place<D>(draw, 1.5)), glm::vec<D, Real>(place<D>(draw, 1.5)),
-                               static_cast<Real>(draw.within(0.0, 0.6))};
+                                        glm::vec<D, Real>(place<D>(draw, 1.5)),
+                                        static_cast<Real>(draw.within(0.0, 0.6))};
+    const CapsuleShape<D, Real> rod{glm::vec<D, Real>(place<D>(draw, 1.5)),
+                                    glm::vec<D, Real>(place<D>(draw, 1.5)),
+                                    static_cast<Real>(draw.within(0.0, 0.6))};
     SCOPED_TRACE(n);
     holds_together(box, other);
     holds_together(box, sphere);

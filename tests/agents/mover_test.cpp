@@ -89,7 +89,8 @@ TEST(Mover, StandsBeforeItsStartAndAfterItsEnd) {
   const MoverPlace last = mover.place(ground, end_s + 1.0), later = mover.place(ground, end_s + 100.0);
   EXPECT_NEAR(glm::length(last.contact_m - path.path_m.back()), 0.0, 1e-6);
   EXPECT_TRUE(same_bits(last, later));
-  for (const TreadStep& step : tread_steps(path.kind, path.radius_m, last, later, 0)) EXPECT_EQ(step.from_m, step.to_m);
+  for (const TreadStep& step : tread_steps(path.kind, path.radius_m, last, later, 0))
+    EXPECT_EQ(step.from_m, step.to_m);
 }
 
 TEST(Mover, LoopsForEver) {
@@ -169,7 +170,8 @@ TEST(Mover, TreadsWhereItTouches) {
   const HeightField ground = hills();
   const MoverPath stone = winding(MoverKind::kStone), cart = winding(MoverKind::kCart);
   const Mover rolling(stone), riding(cart);
-  const auto one = tread_steps(stone.kind, stone.radius_m, rolling.place(ground, 4.0), rolling.place(ground, 4.1), 40);
+  const auto one =
+      tread_steps(stone.kind, stone.radius_m, rolling.place(ground, 4.0), rolling.place(ground, 4.1), 40);
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].id, 40u);
   EXPECT_EQ(one[0].from_m, rolling.place(ground, 4.0).contact_m);

@@ -44,7 +44,8 @@ Expected expected(const std::vector<Condition>& conditions, const std::vector<do
 }
 
 void expect_near(const GrassCondition& found, const Expected& wanted, const char* what) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(static_cast<double>(found.color_factor[c]), wanted.color[c], 1e-6) << what;
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(static_cast<double>(found.color_factor[c]), wanted.color[c], 1e-6) << what;
   EXPECT_NEAR(static_cast<double>(found.stiffness_factor) / wanted.stiffness, 1.0, 1e-6) << what;
 }
 
@@ -87,9 +88,9 @@ TEST(ConditionTest, OverlappingOnesAreAveraged) {
     const char* what;
     glm::dvec2 place_m;
   };
-  for (const auto& [what, place_m] :
-       {Case{"both in full", {4.0, 0.0}}, Case{"one at its edge", {-1.0, 0.0}}, Case{"both at their edges", {4.0, 8.2}},
-        Case{"one alone", {-4.0, 3.0}}, Case{"together less than 1", {4.0, 9.0}}}) {
+  for (const auto& [what, place_m] : {Case{"both in full", {4.0, 0.0}}, Case{"one at its edge", {-1.0, 0.0}},
+                                      Case{"both at their edges", {4.0, 8.2}}, Case{"one alone", {-4.0, 3.0}},
+                                      Case{"together less than 1", {4.0, 9.0}}}) {
     const std::vector<double> weights{mask(10.0 - std::hypot(place_m.x, place_m.y)),
                                       mask(10.0 - std::hypot(place_m.x - 8.0, place_m.y))};
     expect_near(grass_at(two, place_m), expected(two, weights), what);
@@ -100,7 +101,8 @@ TEST(ConditionTest, OverlappingOnesAreAveraged) {
 }
 
 TEST(ConditionTest, TheirOrderMakesNoDifference) {
-  const std::vector<Condition> all{frost({0.0, 0.0}), drought({8.0, 0.0}), frost({3.0, 5.0}), drought({-2.0, -3.0})};
+  const std::vector<Condition> all{frost({0.0, 0.0}), drought({8.0, 0.0}), frost({3.0, 5.0}),
+                                   drought({-2.0, -3.0})};
   std::vector<Condition> backwards(all.rbegin(), all.rend());
   for (double x = -15.0; x < 20.0; x += 0.7) {
     const GrassCondition a = grass_at(all, {x, 1.5}), b = grass_at(backwards, {x, 1.5});
@@ -142,7 +144,8 @@ TEST(ConditionTest, NodesHoldWhatPlacesHave) {
   for (int row = 0; row < nodes.rows; ++row) {
     for (int column = 0; column < nodes.columns; ++column) {
       const glm::dvec2 place_m(0.5 * (column - 40), 0.5 * (row - 30));
-      ASSERT_EQ(values[static_cast<std::size_t>(row * nodes.columns + column)], grass_condition(present, place_m))
+      ASSERT_EQ(values[static_cast<std::size_t>(row * nodes.columns + column)],
+                grass_condition(present, place_m))
           << place_m.x << ' ' << place_m.y;
     }
   }

@@ -45,15 +45,18 @@ TEST(ConditionWindow, HoldsWhatNodesHaveNearTheEye) {
 
 TEST(ConditionWindow, HasNoSeamBetweenItsWindows) {
   ConditionWindow window({3.2, -7.7});
-  window.show(std::vector<Condition>{frost({30.0, 5.0}, 25.0), frost({-100.0, -20.0}, 60.0)}, {3.2, -7.7}, 0.0);
+  window.show(std::vector<Condition>{frost({30.0, 5.0}, 25.0), frost({-100.0, -20.0}, 60.0)}, {3.2, -7.7},
+              0.0);
   float most = 0.0f;
   for (std::size_t level = 0; level + 1 < kWindowLevels; ++level) {
     const double border_m = fade_end_m(window_half_m(level));
     for (int n = 0; n < 200; ++n) {
       const double along_m = (n / 100.0 - 1.0) * border_m;
       for (const double side : {-1.0, 1.0}) {
-        const GrassCondition inside = window.at(window.centre_m() + glm::dvec2(side * (border_m - 1e-6), along_m));
-        const GrassCondition outside = window.at(window.centre_m() + glm::dvec2(side * (border_m + 1e-6), along_m));
+        const GrassCondition inside =
+            window.at(window.centre_m() + glm::dvec2(side * (border_m - 1e-6), along_m));
+        const GrassCondition outside =
+            window.at(window.centre_m() + glm::dvec2(side * (border_m + 1e-6), along_m));
         most = std::max(most, glm::length(inside.color_factor - outside.color_factor));
       }
     }
@@ -80,7 +83,8 @@ TEST(ConditionWindow, IsMadeAnewOnlyWhenSomethingChanges) {
   const std::vector<Condition> conditions{spell, frost({4000.0, 0.0}, 10.0)};
   const std::uint64_t first = window.revision();
   for (double time_s = 0.0; time_s < 5.0; time_s += 0.5) {
-    EXPECT_FALSE(window.show(conditions, {2.0 * time_s, 0.0}, time_s)) << "neither it nor one far away covers anything";
+    EXPECT_FALSE(window.show(conditions, {2.0 * time_s, 0.0}, time_s))
+        << "neither it nor one far away covers anything";
   }
   EXPECT_EQ(window.revision(), first);
   EXPECT_TRUE(is_neutral(window));

@@ -1,4 +1,5 @@
-// A meadow of one or two species on level or sloping ground, and what moves it, for tests of fields and blades.
+// A meadow of one or two species on level or sloping ground, and what moves it, for tests of fields and
+// blades.
 #pragma once
 
 #include "animation/standing_blade.h"

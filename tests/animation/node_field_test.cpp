@@ -69,10 +69,12 @@ TEST(NodeFieldTest, FreesPagesAtRest) {
 
 TEST(NodeFieldTest, VisitsThePagesOfARectangleInOrder) {
   NodeField<float> field(0.25);
-  for (const PageIndex page : {PageIndex{.j = 1, .i = 2}, {.j = 0, .i = 3}, {.j = 1, .i = -1}, {.j = 0, .i = 9}, {.j = 2, .i = 1}})
+  for (const PageIndex page :
+       {PageIndex{.j = 1, .i = 2}, {.j = 0, .i = 3}, {.j = 1, .i = -1}, {.j = 0, .i = 9}, {.j = 2, .i = 1}})
     field.touch_page(page);
   std::vector<PageIndex> visited;
-  field.for_pages({.j = 0, .i = 0}, {.j = 1, .i = 4}, [&](PageIndex page, const auto&) { visited.push_back(page); });
+  field.for_pages({.j = 0, .i = 0}, {.j = 1, .i = 4},
+                  [&](PageIndex page, const auto&) { visited.push_back(page); });
   EXPECT_EQ(visited, (std::vector<PageIndex>{{.j = 0, .i = 3}, {.j = 1, .i = 2}}));
 }
 

@@ -35,7 +35,8 @@ TEST(Sway, HasNoSeamBetweenItsWindows) {
   for (int step = 0; step < 120; ++step) sway.step(wind, step / 60.0, 1.0f / 60.0f);
   const double half_m = 0.5 * layouts::kSwaySide * static_cast<double>(layouts::kSwayFinestM);
   float most = 0.0f, typical = 0.0f;
-  for (const double border_m : {fade_end_m(half_m), fade_end_m(half_m * static_cast<double>(layouts::kSwayCoarsening))}) {
+  for (const double border_m :
+       {fade_end_m(half_m), fade_end_m(half_m * static_cast<double>(layouts::kSwayCoarsening))}) {
     for (int n = 0; n < 200; ++n) {
       const double along_m = (n / 100.0 - 1.0) * border_m;
       const glm::dvec2 inside = sway.centre_m() + glm::dvec2(border_m - 1e-6, along_m);

@@ -32,7 +32,9 @@ struct Rolling {
   }
 
   glm::dvec3 centre_m() const { return {6.0 + 1.5 * std::min(time_s, 5.0), 12.0, kRadiusM}; }
-  Surroundings around() const { return {meadow, traits, wind, treading, sway ? &*sway : nullptr, time_s, conditions}; }
+  Surroundings around() const {
+    return {meadow, traits, wind, treading, sway ? &*sway : nullptr, time_s, conditions};
+  }
 
   void step() {
     const glm::dvec2 from(centre_m());
@@ -62,12 +64,13 @@ struct DrawnBlade {
   float length_m;
 };
 
-std::map<std::pair<CellId, std::uint32_t>, DrawnBlade> drawn_blades(const Rolling& rolling, glm::dvec2 around_m,
-                                                                    double reach_m) {
+std::map<std::pair<CellId, std::uint32_t>, DrawnBlade> drawn_blades(const Rolling& rolling,
+                                                                    glm::dvec2 around_m, double reach_m) {
   std::map<std::pair<CellId, std::uint32_t>, DrawnBlade> drawn;
   const PlantingLattice lattice(rolling.meadow);
   const double cell_m = rolling.meadow.tile_m / kCellsPerSide;
-  const glm::ivec2 low(glm::floor((around_m - reach_m) / cell_m)), high(glm::floor((around_m + reach_m) / cell_m));
+  const glm::ivec2 low(glm::floor((around_m - reach_m) / cell_m)),
+      high(glm::floor((around_m + reach_m) / cell_m));
   for (int j = low.y; j <= high.y; ++j) {
     for (int i = low.x; i <= high.x; ++i) {
       const CellId id{{i >> 1, j >> 1}, (i & 1) + 2 * (j & 1)};
@@ -86,9 +89,10 @@ std::map<std::pair<CellId, std::uint32_t>, DrawnBlade> drawn_blades(const Rollin
         for (std::uint32_t k = 0; k < cell.planted; ++k, ++index) {
           const StandingBlade& now = standing[k];
           const std::uint32_t slot = group == rolling.blades.groups().end() ? 0 : group->slots[k];
-          drawn[{id, index}] = {glm::dvec3(tile_origin_m(rolling.meadow, id.tile), tile_base_m(rolling.meadow, id.tile)),
-                                slot != 0 ? rolling.blades.chains()[slot - 1] : now.chain(now.virtual_turn, now.least_rise),
-                                now.blade.height_m};
+          drawn[{id, index}] = {
+              glm::dvec3(tile_origin_m(rolling.meadow, id.tile), tile_base_m(rolling.meadow, id.tile)),
+              slot != 0 ? rolling.blades.chains()[slot - 1] : now.chain(now.virtual_turn, now.least_rise),
+              now.blade.height_m};
         }
       }
     }
@@ -110,8 +114,8 @@ TEST(TouchedBlades, NoDrawnBladeIsInsideTheStone) {
         const bool is_under = separation(stone, root_m).distance_m < 2e-3;
         ++(is_under ? under : beside);
         for (int n = 0; n <= 60; ++n) {
-          const glm::dvec3 point_m =
-              blade.tile_base_m + glm::dvec3(Kernels{}.chain_point(blade.chain, static_cast<float>(n) / 60.0f));
+          const glm::dvec3 point_m = blade.tile_base_m + glm::dvec3(Kernels{}.chain_point(
+                                                             blade.chain, static_cast<float>(n) / 60.0f));
           if (is_under) {
             highest_m = std::max(highest_m, point_m.z - root_m.z);
           } else {
@@ -120,8 +124,8 @@ TEST(TouchedBlades, NoDrawnBladeIsInsideTheStone) {
         }
       }
     }
-    std::printf("wind %.0f m/s: %zu beside, at most %.2f mm inside; %zu under, at most %.2f mm high\n", wind_m_per_s, beside,
-                1e3 * deepest_m, under, 1e3 * highest_m);
+    std::printf("wind %.0f m/s: %zu beside, at most %.2f mm inside; %zu under, at most %.2f mm high\n",
+                wind_m_per_s, beside, 1e3 * deepest_m, under, 1e3 * highest_m);
     EXPECT_LE(deepest_m, 1e-3);
     EXPECT_LE(highest_m, 5e-3);
     EXPECT_GT(beside, 10000u);
@@ -145,12 +149,14 @@ TEST(TouchedBlades, ComeBackWithoutAJump) {
     const auto now = drawn_blades(rolling, {7.5, 12.0}, 2.5);
     for (const auto& [blade, is_fading] : fading) {
       if (!is_fading || !now.contains(blade)) continue;
-      most = std::max(most, glm::distance(now.at(blade).chain.p4, before.at(blade).chain.p4) / now.at(blade).length_m);
+      most = std::max(
+          most, glm::distance(now.at(blade).chain.p4, before.at(blade).chain.p4) / now.at(blade).length_m);
     }
     before = now;
     if (rolling.blades.size() == 0) break;
   }
-  std::printf("tips move by at most %.2f %% of the length in a step while they fade\n", 100.0 * static_cast<double>(most));
+  std::printf("tips move by at most %.2f %% of the length in a step while they fade\n",
+              100.0 * static_cast<double>(most));
   EXPECT_EQ(rolling.blades.size(), 0u) << "left behind";
   EXPECT_LE(most, 0.0101f);
 }
@@ -203,11 +209,14 @@ TEST(TouchedBlades, SwingInFrostAsAStifferSpecies) {
     const TouchedState a = frozen.blades.state(), b = bred.blades.state();
     for (std::size_t cell = 0; cell < a.size(); ++cell) {
       for (std::size_t n = 0; n < a[cell].second.size(); ++n)
-        most = std::max(most, glm::length(a[cell].second[n].motion.turn.v4 - b[cell].second[n].motion.turn.v4));
+        most =
+            std::max(most, glm::length(a[cell].second[n].motion.turn.v4 - b[cell].second[n].motion.turn.v4));
     }
     const TouchedState c = plain.blades.state();
-    for (std::size_t n = 0; !a.empty() && !c.empty() && n < std::min(a[0].second.size(), c[0].second.size()); ++n)
-      plain_most = std::max(plain_most, glm::length(a[0].second[n].motion.turn.v4 - c[0].second[n].motion.turn.v4));
+    for (std::size_t n = 0; !a.empty() && !c.empty() && n < std::min(a[0].second.size(), c[0].second.size());
+         ++n)
+      plain_most =
+          std::max(plain_most, glm::length(a[0].second[n].motion.turn.v4 - c[0].second[n].motion.turn.v4));
   }
   EXPECT_GE(frozen.blades.size(), 20u);
   EXPECT_LT(most, 1e-4f) << "rad";

@@ -83,7 +83,9 @@ struct Region {
   double along_min, along_max, across_min, across_max;
 };
 
-void PrintTo(const Region& region, std::ostream* out) { *out << region.name; }
+void PrintTo(const Region& region, std::ostream* out) {
+  *out << region.name;
+}
 
 class TreadFieldTest : public testing::TestWithParam<Region> {};
 

@@ -20,9 +20,11 @@ constexpr int kSide = layouts::kTreadSide;
 
 TreadTexel texel(const TreadWindow& window, int level, glm::dvec2 position_m) {
   const double size_m = 64.0 / kSide * std::pow(4.0, level);
-  const auto wrapped = [](double x) { return static_cast<std::size_t>(((static_cast<int>(std::floor(x)) % kSide) + kSide) % kSide); };
-  return window.image()[static_cast<std::size_t>(level) * kSide * kSide + wrapped(position_m.y / size_m) * kSide +
-                        wrapped(position_m.x / size_m)];
+  const auto wrapped = [](double x) {
+    return static_cast<std::size_t>(((static_cast<int>(std::floor(x)) % kSide) + kSide) % kSide);
+  };
+  return window.image()[static_cast<std::size_t>(level) * kSide * kSide +
+                        wrapped(position_m.y / size_m) * kSide + wrapped(position_m.x / size_m)];
 }
 
 TEST(TreadWindow, HoldsWhatWasTrodden) {
@@ -34,14 +36,17 @@ TEST(TreadWindow, HoldsWhatWasTrodden) {
   treading.step({&step, 1}, 1.0);
   window.paint(treading, {0.0, 0.0});
   EXPECT_FALSE(window.is_empty());
-  for (const glm::dvec2 place : {glm::dvec2(0.0625, 2.0625), glm::dvec2(2.3125, 2.1875), glm::dvec2(-2.9375, 2.0625)}) {
+  for (const glm::dvec2 place :
+       {glm::dvec2(0.0625, 2.0625), glm::dvec2(2.3125, 2.1875), glm::dvec2(-2.9375, 2.0625)}) {
     const Tread tread = treading.sample(place);
     const TreadTexel found = texel(window, 0, place);
     EXPECT_NEAR(found[2] / 127.0, static_cast<double>(tread.tilt_rad / layouts::kTreadMostRad), 1.0 / 127.0);
-    EXPECT_NEAR(found[0] / 127.0, static_cast<double>(tread.lean_rad.x / layouts::kTreadMostRad), 1.0 / 127.0);
+    EXPECT_NEAR(found[0] / 127.0, static_cast<double>(tread.lean_rad.x / layouts::kTreadMostRad),
+                1.0 / 127.0);
   }
   EXPECT_EQ(texel(window, 0, {0.0, 8.0}), TreadTexel{});
-  EXPECT_EQ(texel(window, 1, {0.2, 2.2}), TreadTexel{}) << "where the finer window is read the coarser one need not hold it";
+  EXPECT_EQ(texel(window, 1, {0.2, 2.2}), TreadTexel{})
+      << "where the finer window is read the coarser one need not hold it";
   window.paint(treading, {34.0, 0.0});
   EXPECT_GT(texel(window, 1, {0.2, 2.2})[2], 10) << "beyond the finer window the coarser one has it";
 
@@ -55,7 +60,8 @@ TEST(TreadWindow, HoldsWhatWasTrodden) {
 
 TreadStep random_step(std::mt19937& random, std::uint32_t id) {
   const glm::dvec2 from_m(uniform(random, -40.0, 40.0), uniform(random, -40.0, 40.0));
-  return {id, from_m, from_m + glm::dvec2(uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0)), uniform(random, 0.1, 1.0), 1.0};
+  return {id, from_m, from_m + glm::dvec2(uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0)),
+          uniform(random, 0.1, 1.0), 1.0};
 }
 
 TEST(TreadWindow, TexelsAreMeansOfWhatLiesInThem) {
@@ -73,12 +79,14 @@ TEST(TreadWindow, TexelsAreMeansOfWhatLiesInThem) {
     window.paint(treading, eye_m);
     int trodden = 0;
     for (int level = 0; level < 2; ++level) {
-      const double size_m = 64.0 / kSide * std::pow(4.0, level), aside_m = size_m <= spacing_m ? 0.0 : 0.25 * size_m;
+      const double size_m = 64.0 / kSide * std::pow(4.0, level),
+                   aside_m = size_m <= spacing_m ? 0.0 : 0.25 * size_m;
       for (int n = 0; n < 20000; ++n) {
         const double from_m = level == 0 ? 0.0 : 31.0, to_m = level == 0 ? 30.0 : 50.0;
         const double away_m = uniform(random, from_m, to_m), aside = uniform(random, -away_m, away_m);
         const double sign = n % 2 == 0 ? 1.0 : -1.0;
-        const glm::dvec2 away = n % 4 < 2 ? glm::dvec2(sign * away_m, aside) : glm::dvec2(aside, sign * away_m);
+        const glm::dvec2 away =
+            n % 4 < 2 ? glm::dvec2(sign * away_m, aside) : glm::dvec2(aside, sign * away_m);
         const glm::dvec2 middle_m = (glm::floor((eye_m + away) / size_m) + 0.5) * size_m;
         glm::vec4 mean(0.0f);
         for (const double x : {-aside_m, aside_m}) {
@@ -89,7 +97,8 @@ TEST(TreadWindow, TexelsAreMeansOfWhatLiesInThem) {
         }
         const TreadTexel found = texel(window, level, middle_m);
         for (int c = 0; c < 4; ++c)
-          ASSERT_NEAR(static_cast<float>(found[static_cast<std::size_t>(c)]), 127.0f * mean[c] / layouts::kTreadMostRad, 0.51f)
+          ASSERT_NEAR(static_cast<float>(found[static_cast<std::size_t>(c)]),
+                      127.0f * mean[c] / layouts::kTreadMostRad, 0.51f)
               << spacing_m << ' ' << level << ' ' << middle_m.x << ' ' << middle_m.y;
         trodden += found[2] > 20;
       }
@@ -112,7 +121,8 @@ TEST(TreadWindow, TellsWhichRowsHaveChanged) {
     window.paint(treading, eye_m);
     for (const TreadWindow::Rows& rows : window.take_changed()) {
       const auto first = (static_cast<std::ptrdiff_t>(rows.layer) * kSide + rows.first) * kSide;
-      std::copy_n(window.image().begin() + first, static_cast<std::ptrdiff_t>(rows.count) * kSide, shown.begin() + first);
+      std::copy_n(window.image().begin() + first, static_cast<std::ptrdiff_t>(rows.count) * kSide,
+                  shown.begin() + first);
     }
     TreadWindow fresh;
     fresh.paint(treading, eye_m);
@@ -132,7 +142,8 @@ TEST(PressedCurve, LiesAsFarAsItIsTrodden) {
     blade.tilt_rad = static_cast<float>(uniform(random, 0.0, 0.4));
     blade.curvature_rad = static_cast<float>(uniform(random, 0.0, 1.5));
     blade.stiffness = static_cast<float>(uniform(random, 40.0, 200.0));
-    const glm::vec2 slope(static_cast<float>(uniform(random, -0.4, 0.4)), static_cast<float>(uniform(random, -0.4, 0.4)));
+    const glm::vec2 slope(static_cast<float>(uniform(random, -0.4, 0.4)),
+                          static_cast<float>(uniform(random, -0.4, 0.4)));
     const glm::vec3 normal = kernels.normalized(glm::vec3(-slope.x, -slope.y, 1.0f));
     const auto tilt = static_cast<float>(uniform(random, 0.0, 1.45));
     const auto heading = static_cast<float>(uniform(random, 0.0, 6.28));
@@ -140,15 +151,17 @@ TEST(PressedCurve, LiesAsFarAsItIsTrodden) {
     const Kernels::BladeCurve rest = kernels.pose_blade(blade, slope, 1.0f);
     const Kernels::BladeCurve pressed = kernels.pressed_curve(rest, blade.height_m, normal, pressing);
 
-    // The length stays, the side lies across, the tip comes down as the tilt says and goes where the tread went.
+    // The length stays, the side lies across, the tip comes down as the tilt says and goes where the tread
+    // went.
     double length_m = 0.0;
     glm::vec3 last = pressed.base_m;
     for (int k = 1; k <= 64; ++k) {
-      const glm::vec3 point = kernels.hermite_point(pressed.base_m, pressed.tip_m, pressed.base_tangent_m, pressed.tip_tangent_m,
-                                                    static_cast<float>(k) / 64.0f);
+      const glm::vec3 point = kernels.hermite_point(pressed.base_m, pressed.tip_m, pressed.base_tangent_m,
+                                                    pressed.tip_tangent_m, static_cast<float>(k) / 64.0f);
       length_m += static_cast<double>(glm::distance(point, last));
       last = point;
-      ASSERT_GE(glm::dot(point - pressed.base_m, normal), std::min(glm::dot(rest.tip_m - rest.base_m, normal), 0.0f) - 1e-4f);
+      ASSERT_GE(glm::dot(point - pressed.base_m, normal),
+                std::min(glm::dot(rest.tip_m - rest.base_m, normal), 0.0f) - 1e-4f);
     }
     ASSERT_NEAR(length_m / static_cast<double>(blade.height_m), 1.0, 0.01);
     ASSERT_NEAR(glm::dot(pressed.side, kernels.normalized(pressed.base_tangent_m)), 0.0f, 1e-3f);
@@ -176,7 +189,8 @@ TEST(PressedCurve, DoesNotSagIntoTheGround) {
     const Kernels::Pressing pressing{{1.4f, 0.0f}, 1.4f, 0.0f};
     const glm::vec3 up(0.0f, 0.0f, 1.0f);
     const Kernels::BladeCurve rest = kernels.pose_blade(blade, glm::vec2(0.0f), 1.0f);
-    const Kernels::BladeChain chain = kernels.pressed_virtual_pose(blade, rest, 1.0f, ChainVectors{}, up, pressing);
+    const Kernels::BladeChain chain =
+        kernels.pressed_virtual_pose(blade, rest, 1.0f, ChainVectors{}, up, pressing);
     for (int k = 0; k <= 32; ++k)
       ASSERT_GT(kernels.chain_point(chain, static_cast<float>(k) / 32.0f).z, -0.01f * blade.height_m);
     ASSERT_LT(chain.p4.z, 0.2f * blade.height_m);

@@ -263,7 +263,8 @@ TEST(TreadingTest, SamplesBetweenNodesAlsoAcrossPages) {
       const auto tilt = [&](int di, int dj) { return treading.at({i + di, j + dj}).tilt_rad; };
       const float south = tilt(0, 0) + (tilt(1, 0) - tilt(0, 0)) * square.east;
       const float north = tilt(0, 1) + (tilt(1, 1) - tilt(0, 1)) * square.east;
-      ASSERT_NEAR(treading.sample({x, y}).tilt_rad, south + (north - south) * square.north, 1e-6f) << x << ' ' << y;
+      ASSERT_NEAR(treading.sample({x, y}).tilt_rad, south + (north - south) * square.north, 1e-6f)
+          << x << ' ' << y;
     }
   }
 }

@@ -12,7 +12,8 @@ namespace {
 const std::string kColumns = "time_s,x_m,y_m,z_m,yaw_deg,pitch_deg,fov_deg\n";
 
 TEST(CameraPath, PassesItsRowsAndStandsBeyondThem) {
-  const CameraPath path = parse_camera_path(kColumns + "1,0,5,+1.7,0,0,60\n2,3,5,+2,40,-10,50\n4,4,9,+1,90,5,40\n", "p");
+  const CameraPath path =
+      parse_camera_path(kColumns + "1,0,5,+1.7,0,0,60\n2,3,5,+2,40,-10,50\n4,4,9,+1,90,5,40\n", "p");
   for (std::size_t row = 0; row < path.times_s.size(); ++row) {
     const CameraSpec camera = camera_at(path, path.times_s[row]);
     EXPECT_NEAR(camera.position_m.x, path.cameras[row].position_m.x, 1e-12);
@@ -42,7 +43,8 @@ TEST(CameraPath, GoesEvenlyThroughEvenRowsAndWithoutKinks) {
 }
 
 TEST(CameraPath, TurnsTheShorterWay) {
-  const CameraPath path = parse_camera_path(kColumns + "0,0,0,5,350,0,60\n1,0,0,5,10,0,60\n2,0,0,5,-170,0,60\n", "p");
+  const CameraPath path =
+      parse_camera_path(kColumns + "0,0,0,5,350,0,60\n1,0,0,5,10,0,60\n2,0,0,5,-170,0,60\n", "p");
   EXPECT_EQ(path.cameras[1].yaw_deg, 370.0);
   EXPECT_EQ(std::abs(path.cameras[2].yaw_deg - 370.0), 180.0);
   EXPECT_FALSE(path.cameras[0].z_above_ground);

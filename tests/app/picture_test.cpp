@@ -178,9 +178,16 @@ Outcome in_hidden_window(const std::vector<std::string>& arguments,
                          const std::string& program = PRAIRIE_PROGRAM) {
   Call call;
   call.program = "xvfb-run";
-  // Without -noreset the server starts anew whenever its last window closes, as during a reset of the device, and refuses who
-  // comes just then.
-  call.arguments = {"-a", "-s", "-screen 0 1280x1024x24 -noreset", "sh", "-c", "\"$@\"; echo $? >\"$0\"", code_file.string(), program};
+  // Without -noreset the server starts anew whenever its last window closes, as during a reset of the device,
+  // and refuses who comes just then.
+  call.arguments = {"-a",
+                    "-s",
+                    "-screen 0 1280x1024x24 -noreset",
+                    "sh",
+                    "-c",
+                    "\"$@\"; echo $? >\"$0\"",
+                    code_file.string(),
+                    program};
   call.arguments.insert(call.arguments.end(), arguments.begin(), arguments.end());
   call.environment = environment;
   Outcome outcome = testing::run(call);

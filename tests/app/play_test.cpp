@@ -12,7 +12,6 @@
 #include <random>
 #include <string>
 
-
 namespace prairie {
 namespace {
 
@@ -42,7 +41,8 @@ TEST(PlayClock, TakesEvenStepsAndFallsBehindRatherThanCatchUp) {
   const EvenSteps slow = clock.take(20.0);
   EXPECT_EQ(slow.count, 3);
   EXPECT_NEAR(slow.count * slow.dt_s, PlayClock::kMostPerFrameS, 1e-12);
-  for (const double none : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) EXPECT_EQ(clock.take(none).count, 0);
+  for (const double none : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(clock.take(none).count, 0);
   EXPECT_EQ(clock.take(std::numeric_limits<double>::infinity()).count, 3);
 }
 
@@ -70,7 +70,8 @@ TEST(WindControls, FollowTheScene) {
 TEST(WindControls, KeysStayInRange) {
   WindControls controls;
   for (int n = 0; n < 100; ++n)
-    for (const int key : {GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_APOSTROPHE, GLFW_KEY_COMMA}) apply_wind_key(key, controls);
+    for (const int key : {GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_APOSTROPHE, GLFW_KEY_COMMA})
+      apply_wind_key(key, controls);
   EXPECT_EQ(controls.speed_m_per_s, WindControls::kMostSpeedMPerS);
   EXPECT_EQ(controls.turbulence, WindControls::kMostTurbulence);
   EXPECT_GE(controls.heading_deg, 0.0f);
@@ -122,15 +123,24 @@ TEST(Play, KeysAndControlsOfAnyKindKeepTheWorldSound) {
   World world = small_world();
   Play play(world, false);
   std::mt19937 random(7);
-  const int keys[] = {GLFW_KEY_P, GLFW_KEY_N, GLFW_KEY_B, GLFW_KEY_V, GLFW_KEY_R, GLFW_KEY_C, GLFW_KEY_RIGHT_BRACKET,
-                      GLFW_KEY_COMMA, GLFW_KEY_APOSTROPHE};
+  const int keys[] = {GLFW_KEY_P,
+                      GLFW_KEY_N,
+                      GLFW_KEY_B,
+                      GLFW_KEY_V,
+                      GLFW_KEY_R,
+                      GLFW_KEY_C,
+                      GLFW_KEY_RIGHT_BRACKET,
+                      GLFW_KEY_COMMA,
+                      GLFW_KEY_APOSTROPHE};
   Camera eye = camera();
   for (int n = 0; n < 60; ++n) {
     if (n == 50) eye.eye_m = {1e7, -1e7, 3.0};
     eye.yaw_rad = 0.1 * n;
     play.press(keys[random() % 9], eye);
-    play.advance(0.05, {static_cast<double>(random() % 3) - 1.0, static_cast<double>(random() % 3) - 1.0}, eye);
-    for (const DrivenMover& driven : world.driven()) ASSERT_TRUE(std::isfinite(glm::length(driven.place.centre_m)));
+    play.advance(0.05, {static_cast<double>(random() % 3) - 1.0, static_cast<double>(random() % 3) - 1.0},
+                 eye);
+    for (const DrivenMover& driven : world.driven())
+      ASSERT_TRUE(std::isfinite(glm::length(driven.place.centre_m)));
   }
 }
 

@@ -37,7 +37,8 @@ class Record : public ::testing::Test {
   Words words(const std::string& output, const Words& more = {}) const {
     Words all{"record", scene_, "-o", path(output)};
     all.insert(all.end(), more.begin(), more.end());
-    for (const auto& [option, value] : {std::pair("--size", "64x48"), {"--fps", "8"}, {"--duration", "0.5"}}) {
+    for (const auto& [option, value] :
+         {std::pair("--size", "64x48"), {"--fps", "8"}, {"--duration", "0.5"}}) {
       if (std::ranges::find(more, option) == more.end()) all.insert(all.end(), {option, value});
     }
     return all;
@@ -61,7 +62,8 @@ void expect_one_line(const Outcome& outcome, int exit_code, const Words& mention
   SCOPED_TRACE(outcome.err);
   EXPECT_EQ(outcome.exit_code, exit_code);
   EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
-  for (const std::string& mention : mentions) EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
+  for (const std::string& mention : mentions)
+    EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
 }
 
 const std::string kPath = "time_s,x_m,y_m,z_m,yaw_deg,pitch_deg\n0,4,1,+1.7,350,-10\n0.25,8,2,+1.5,10,-20\n";
@@ -80,7 +82,8 @@ TEST_F(Record, PicturesAreCompleteAndTheSameEveryTime) {
     ASSERT_TRUE(input);
     EXPECT_EQ(input->spec().width, 64);
     EXPECT_EQ(input->spec().height, 48);
-    EXPECT_EQ(testing::read_bytes(folder_ / "one" / name), testing::read_bytes(folder_ / "two/deeper" / name));
+    EXPECT_EQ(testing::read_bytes(folder_ / "one" / name),
+              testing::read_bytes(folder_ / "two/deeper" / name));
   }
   EXPECT_NE(testing::read_bytes(folder_ / "one/frame-00000.png"),
             testing::read_bytes(folder_ / "one/frame-00001.png"))
@@ -88,9 +91,10 @@ TEST_F(Record, PicturesAreCompleteAndTheSameEveryTime) {
 }
 
 TEST_F(Record, PictureIsThatOfRender) {
-  ASSERT_EQ(record("clip", {"--camera", "8,1,+1.7,0,-10", "--samples", "2", "--tier", "hermite"}).exit_code, 0);
-  ASSERT_EQ(testing::prairie({"render", scene_, "-o", path("a.png"), "--size", "64x48", "--camera", "8,1,+1.7,0,-10",
-                              "--samples", "2", "--tier", "hermite"})
+  ASSERT_EQ(record("clip", {"--camera", "8,1,+1.7,0,-10", "--samples", "2", "--tier", "hermite"}).exit_code,
+            0);
+  ASSERT_EQ(testing::prairie({"render", scene_, "-o", path("a.png"), "--size", "64x48", "--camera",
+                              "8,1,+1.7,0,-10", "--samples", "2", "--tier", "hermite"})
                 .exit_code,
             0);
   EXPECT_EQ(testing::read_bytes(folder_ / "clip/frame-00000.png"), testing::read_bytes(folder_ / "a.png"));
@@ -122,9 +126,14 @@ TEST_F(Record, VideoHasItsFramesAndSize) {
   if (!is_installed("ffprobe")) GTEST_SKIP() << "ffprobe is not installed";
   Call probe;
   probe.program = "ffprobe";
-  probe.arguments = {"-v", "error", "-count_frames", "-show_entries",
-                     "stream=codec_name,width,height,pix_fmt,color_space,r_frame_rate,nb_read_frames", "-of",
-                     "default=noprint_wrappers=1", "file:" + path("-a:b.mp4")};
+  probe.arguments = {"-v",
+                     "error",
+                     "-count_frames",
+                     "-show_entries",
+                     "stream=codec_name,width,height,pix_fmt,color_space,r_frame_rate,nb_read_frames",
+                     "-of",
+                     "default=noprint_wrappers=1",
+                     "file:" + path("-a:b.mp4")};
   const std::string found = testing::run(probe).out;
   for (const std::string line : {"codec_name=h264\n", "width=64\n", "height=48\n", "pix_fmt=yuv420p\n",
                                  "color_space=bt709\n", "r_frame_rate=8/1\n", "nb_read_frames=4\n"})

@@ -1,5 +1,5 @@
-// A scene small enough that any command on it takes moments: 16 × 16 m, one species, at most 100 blades per m²,
-// gentle ground.
+// A scene small enough that any command on it takes moments: 16 × 16 m, one species, at most 100 blades per
+// m², gentle ground.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// States on the command line: a run that is cut in two by a file draws what one in one piece draws, and what is no state of
-// the scene is refused.
+// States on the command line: a run that is cut in two by a file draws what one in one piece draws, and what
+// is no state of the scene is refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,12 +44,14 @@ path_m = [[5, 6], [12, 7]]
   }
   std::vector<std::byte> bytes(const std::string& name) const { return testing::read_bytes(folder_ / name); }
 
-  static void expect_refused(const Outcome& outcome, int exit_code, const std::vector<std::string>& mentions) {
+  static void expect_refused(const Outcome& outcome, int exit_code,
+                             const std::vector<std::string>& mentions) {
     SCOPED_TRACE(outcome.err);
     EXPECT_EQ(outcome.exit_code, exit_code);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
-    for (const std::string& mention : mentions) EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
+    for (const std::string& mention : mentions)
+      EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
   }
 
   const testing::TemporaryFolder folder_;
@@ -62,7 +64,8 @@ TEST_F(States, AClipGoesOn) {
   };
   ASSERT_EQ(record("whole", {"--duration", "0.5"}), 0);
   ASSERT_EQ(record("first", {"--duration", "0.25", "--save-state", path("clip.state")}), 0);
-  ASSERT_EQ(record("second", {"--duration", "0.25", "--load-state", path("clip.state"), "--threads", "1"}), 0);
+  ASSERT_EQ(record("second", {"--duration", "0.25", "--load-state", path("clip.state"), "--threads", "1"}),
+            0);
   for (int frame = 0; frame < 6; ++frame) {
     const std::string name = "/frame-0000" + std::to_string(frame) + ".png";
     EXPECT_EQ(bytes("first" + name), bytes("whole" + name)) << frame;
@@ -84,7 +87,9 @@ TEST_F(States, RenderGoesOn) {
   EXPECT_NE(bytes("half.png"), bytes("whole.png"));
 
   // Without a time the picture is of the state's.
-  ASSERT_EQ(render("again.png", {"--load-state", path("half.state"), "--save-state", path("half.state")}).exit_code, 0);
+  ASSERT_EQ(
+      render("again.png", {"--load-state", path("half.state"), "--save-state", path("half.state")}).exit_code,
+      0);
   EXPECT_EQ(bytes("again.png"), bytes("half.png"));
   // And the state that was replaced by itself is still one.
   EXPECT_EQ(render("again.png", {"--load-state", path("half.state"), "--time", "1"}).exit_code, 0);
@@ -93,7 +98,9 @@ TEST_F(States, RenderGoesOn) {
 
 TEST_F(States, ExportGoesOn) {
   ASSERT_EQ(export_tile("whole", {"--time", "2"}).exit_code, 0);
-  ASSERT_EQ(export_tile("half", {"--time", "1", "--views", "top", "--save-state", path("half.state")}).exit_code, 0);
+  ASSERT_EQ(
+      export_tile("half", {"--time", "1", "--views", "top", "--save-state", path("half.state")}).exit_code,
+      0);
   const Outcome rest = export_tile("rest", {"--time", "2", "--load-state", path("half.state")});
   ASSERT_EQ(rest.exit_code, 0) << rest.err;
   EXPECT_EQ(bytes("rest/manifest.json"), bytes("whole/manifest.json")) << "with the hashes of the pictures";
@@ -115,8 +122,10 @@ TEST_F(States, ExportedTilesDoNotDependOnWhichOthersAre) {
 TEST_F(States, TimeDoesNotGoBackwards) {
   ASSERT_EQ(render("a.png", {"--time", "1.5", "--save-state", path("a.state")}).exit_code, 0);
   testing::write_text(folder_ / "a.png", "before");
-  expect_refused(render("a.png", {"--time", "1", "--load-state", path("a.state")}), 2, {"--time", "1 s", "1.5 s"});
-  expect_refused(export_tile("tiles", {"--time", "1", "--load-state", path("a.state")}), 2, {"--time", "1.5 s"});
+  expect_refused(render("a.png", {"--time", "1", "--load-state", path("a.state")}), 2,
+                 {"--time", "1 s", "1.5 s"});
+  expect_refused(export_tile("tiles", {"--time", "1", "--load-state", path("a.state")}), 2,
+                 {"--time", "1.5 s"});
   EXPECT_EQ(fs::file_size(folder_ / "a.png"), 6u);
 }
 

@@ -43,12 +43,14 @@ radius_m = 6
     const std::vector<std::byte> bytes = testing::read_bytes(folder_ / name);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
-  void expect_refused(const std::vector<std::string>& more, int exit_code, const std::vector<std::string>& mentions) const {
+  void expect_refused(const std::vector<std::string>& more, int exit_code,
+                      const std::vector<std::string>& mentions) const {
     const Outcome outcome = walk(more);
     SCOPED_TRACE(outcome.err);
     EXPECT_EQ(outcome.exit_code, exit_code);
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
-    for (const std::string& mention : mentions) EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
+    for (const std::string& mention : mentions)
+      EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
   }
 
   const testing::TemporaryFolder folder_;
@@ -77,16 +79,28 @@ TEST_F(Walk, WritesTrajectoriesThatItReadsAgain) {
 }
 
 TEST_F(Walk, GoesOnFromAState) {
-  ASSERT_EQ(walk({"--duration", "2", "--trajectories", path("whole.csv"), "--save-state", path("whole.state")}).exit_code, 0);
-  ASSERT_EQ(walk({"--duration", "1", "--trajectories", path("first.csv"), "--save-state", path("half.state"), "--threads", "1"}).exit_code, 0);
-  ASSERT_EQ(walk({"--duration", "1", "--trajectories", path("second.csv"), "--load-state", path("half.state"), "--save-state", path("rest.state")}).exit_code, 0);
+  ASSERT_EQ(
+      walk({"--duration", "2", "--trajectories", path("whole.csv"), "--save-state", path("whole.state")})
+          .exit_code,
+      0);
+  ASSERT_EQ(walk({"--duration", "1", "--trajectories", path("first.csv"), "--save-state", path("half.state"),
+                  "--threads", "1"})
+                .exit_code,
+            0);
+  ASSERT_EQ(walk({"--duration", "1", "--trajectories", path("second.csv"), "--load-state", path("half.state"),
+                  "--save-state", path("rest.state")})
+                .exit_code,
+            0);
   const std::string second = text("second.csv");
   EXPECT_TRUE(text("first.csv") + second.substr(second.find('\n') + 1) == text("whole.csv"));
   EXPECT_TRUE(text("rest.state") == text("whole.state"));
 }
 
 TEST_F(Walk, RecordsAClip) {
-  ASSERT_EQ(walk({"--record", path("clip"), "--duration", "0.1", "--size", "96x64", "--camera", "8,1,+1.7,0,-8"}).exit_code, 0);
+  ASSERT_EQ(
+      walk({"--record", path("clip"), "--duration", "0.1", "--size", "96x64", "--camera", "8,1,+1.7,0,-8"})
+          .exit_code,
+      0);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "clip" / "frame-00002.png"));
 }
 
@@ -98,7 +112,9 @@ TEST_F(Walk, RefusesWhatItCannotUse) {
   testing::write_text(folder_ / "cm.csv", "time_s,id,x_m,y_m\n0,1,0,0\n1,1,130,0\n2,1,260,0\n");
   expect_refused({"--duration", "1", "--replay", path("cm.csv")}, 3, {"cm.csv", "centimetres"});
   expect_refused({"--duration", "1", "--replay", path("none.csv")}, 3, {"none.csv"});
-  testing::write_text(folder_ / "half.bvh", "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 0\n End Site\n {\n OFFSET 0 1 0\n }\n}\nMOTION\nFrames: 1\nFrame Time: 0.01\n\n");
+  testing::write_text(folder_ / "half.bvh",
+                      "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 0\n End Site\n {\n OFFSET 0 1 0\n "
+                      "}\n}\nMOTION\nFrames: 1\nFrame Time: 0.01\n\n");
   expect_refused({"--duration", "1", "--gait", path("half.bvh")}, 3, {"half.bvh"});
   expect_refused({"--replay-at", "1,2"}, 2, {"--replay"});
   expect_refused({"--duration", "1", "--replay", path("text.csv"), "--replay-at", "1"}, 2, {"--replay-at"});

@@ -113,7 +113,8 @@ TEST(WalkerCamera, TurnsAboutTheWatchedWalker) {
   drag.turn_right_px = 100.0;
   const Camera followed = camera.camera();
   pass(camera, world, 0.1, drag);
-  EXPECT_NEAR(glm::distance(camera.camera().eye_m, followed.eye_m), 0.0, 1e-9) << "dragging turns about it only";
+  EXPECT_NEAR(glm::distance(camera.camera().eye_m, followed.eye_m), 0.0, 1e-9)
+      << "dragging turns about it only";
   camera.change_mode(world);
   ASSERT_EQ(camera.mode(), CameraMode::kOrbit);
   camera.move(drag, kFrameS, world);

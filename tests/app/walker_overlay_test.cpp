@@ -26,7 +26,8 @@ radius_m = 0.5
 [[walkers]]
 name = "two"
 starts_m = [[28, 32], [50, 50]]
-)"), {});
+)"),
+               {});
 }
 
 World crowded_world() {
@@ -35,7 +36,8 @@ name = "many"
 count = 260
 position_m = [32, 32]
 radius_m = 20
-)"), {});
+)"),
+               {});
 }
 
 double above_ground_m(const World& world, glm::dvec3 place_m) {
@@ -49,7 +51,8 @@ TEST(WalkerOverlay, CirclesReachAsFarAsSensors) {
   ASSERT_GE(lines.size(), 2 * kCircleSegments);
   for (std::size_t n = 0; n < kCircleSegments; ++n) {
     const LineSegment& line = lines[n];
-    EXPECT_NEAR(glm::distance(glm::dvec2(line.from_m), {28.0, 32.0}), traits.radius_m + traits.sensor_m, 1e-9);
+    EXPECT_NEAR(glm::distance(glm::dvec2(line.from_m), {28.0, 32.0}), traits.radius_m + traits.sensor_m,
+                1e-9);
     EXPECT_NEAR(above_ground_m(world, line.from_m), kLineAboveGroundM, 1e-9);
     EXPECT_EQ(line.to_m, lines[n + 1 < kCircleSegments ? n + 1 : 0].from_m) << "closed";
     EXPECT_GT(line.color.x, 5.0f * line.color.y) << "red";
@@ -79,7 +82,9 @@ TEST(WalkerOverlay, ShowsTheNearestOfMany) {
   const std::vector<std::uint32_t> nearest = nearest_walkers(world, kEyeM, kMostOverlaidWalkers);
   ASSERT_EQ(nearest.size(), kMostOverlaidWalkers);
   EXPECT_TRUE(std::is_sorted(nearest.begin(), nearest.end()));
-  const auto far_m = [&](std::size_t n) { return glm::distance(world.walkers()[n].position_m, glm::dvec2(kEyeM)); };
+  const auto far_m = [&](std::size_t n) {
+    return glm::distance(world.walkers()[n].position_m, glm::dvec2(kEyeM));
+  };
   double farthest_m = 0.0;
   for (const std::uint32_t n : nearest) farthest_m = std::max(farthest_m, far_m(n));
   for (std::uint32_t n = 0; n < 260; ++n) {
@@ -87,7 +92,8 @@ TEST(WalkerOverlay, ShowsTheNearestOfMany) {
     EXPECT_GE(far_m(n), farthest_m);
   }
   EXPECT_EQ(nearest_walkers(world, kEyeM, 1000).size(), 260u);
-  EXPECT_LE(sensor_lines(world, world.percepts(), kEyeM).size(), kMostOverlaidWalkers * (kCircleSegments + 10));
+  EXPECT_LE(sensor_lines(world, world.percepts(), kEyeM).size(),
+            kMostOverlaidWalkers * (kCircleSegments + 10));
 }
 
 TEST(WalkerTrails, LeadToWhereWalkersAre) {
@@ -135,7 +141,8 @@ TEST(WalkerTrails, HoldTheNearestAlone) {
     trails.follow(world, {0.0, 3.0 * n, 2.0});
     world.step(0.1);
   }
-  for (const WalkerTrails::Sample& sample : trails.samples()) EXPECT_EQ(sample.places.size(), kMostOverlaidWalkers);
+  for (const WalkerTrails::Sample& sample : trails.samples())
+    EXPECT_EQ(sample.places.size(), kMostOverlaidWalkers);
   // Whoever was out of a sample has no piece that skips it.
   for (const LineSegment& line : path_lines(world, trails, kEyeM))
     EXPECT_LT(glm::distance(line.from_m, line.to_m), 1.3);

@@ -51,7 +51,8 @@ TEST(WalkerSteering, TurnsToEitherSide) {
     walk(world, steering, {0.0, left, false}, 0.5);
     const glm::dvec2 after = world.walkers()[2].forward;
     EXPECT_GT(left * (before.x * after.y - before.y * after.x), 0.4) << "turned by half a radian or more";
-    EXPECT_NEAR(glm::distance(world.walkers()[2].position_m, glm::dvec2(32.0, 50.0)), 0.0, 0.1) << "on the spot";
+    EXPECT_NEAR(glm::distance(world.walkers()[2].position_m, glm::dvec2(32.0, 50.0)), 0.0, 0.1)
+        << "on the spot";
     walk(world, steering, {0.0, 0.0, false}, 0.5);
     EXPECT_NEAR(glm::distance(world.walkers()[2].forward, after), 0.0, 1e-6) << "goes on turning";
   }
@@ -102,7 +103,8 @@ radius_m = 0.5
 [[walkers]]
 name = "one"
 starts_m = [[28, 32]]
-)"), {});
+)"),
+              {});
   EXPECT_EQ(walkers_line(world), "1 walkers");
   WalkerSteering steering(world);
   EXPECT_NE(watched_walker_line(world, 0, world.percepts()).find("wander"), std::string::npos);

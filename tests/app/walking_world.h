@@ -27,13 +27,15 @@ inline World walking_world() {
   return World(walking_scene(R"([[walkers]]
 name = "three"
 starts_m = [[20, 32], [30, 32], [32, 50]]
-)"), {});
+)"),
+               {});
 }
 
 /// One that walks east at 1 m/s from (20, 32), and one that is there 5 s later, at (40, 40).
 inline World replaying_world() {
   World world(walking_scene(""), {});
-  world.replay({{1, {0.0, 10.0}, {{20.0, 32.0}, {30.0, 32.0}}}, {2, {5.0, 10.0}, {{40.0, 40.0}, {45.0, 40.0}}}});
+  world.replay(
+      {{1, {0.0, 10.0}, {{20.0, 32.0}, {30.0, 32.0}}}, {2, {5.0, 10.0}, {{40.0, 40.0}, {45.0, 40.0}}}});
   return world;
 }
 

@@ -95,7 +95,8 @@ class ViewerTest : public ::testing::Test {
     view(world, {}, disturb);
   }
 
-  void view(World& world, ViewerOptions options, const std::function<void(testing::WindowFromOutside&)>& disturb) {
+  void view(World& world, ViewerOptions options,
+            const std::function<void(testing::WindowFromOutside&)>& disturb) {
     Camera camera;
     camera.eye_m = {8.0, 1.0, 3.0};
     camera.size_px = {64, 48};
@@ -207,7 +208,8 @@ TEST_F(ViewerTest, ArrowKeysSteerTheWatchedWalker) {
   options.paused = true;
   view(world, options, [](testing::WindowFromOutside& window) {
     window.hold(kUp);
-    for (const char key : std::string("ckunnnnnnnnnnnnnnnnnnnn")) window.press(static_cast<unsigned long>(key));
+    for (const char key : std::string("ckunnnnnnnnnnnnnnnnnnnn"))
+      window.press(static_cast<unsigned long>(key));
     std::this_thread::sleep_for(1s);  // until the first steps see that up is held
     for (const char key : std::string("nnnnnnnnnnnnnnnnnnnn")) window.press(static_cast<unsigned long>(key));
   });

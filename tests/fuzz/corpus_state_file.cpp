@@ -28,7 +28,8 @@ std::vector<Input> make_corpus() {
   const double spacing_m = world.scene().treading.spacing_m;
   state.treading.nodes = NodeField<TreadNode>(spacing_m);
   state.treading.wear = NodeField<float>(spacing_m);
-  const std::vector<std::byte> bytes = state_bytes({state, {}}, {world.motion_hash(), world.scene().treading});
+  const std::vector<std::byte> bytes =
+      state_bytes({state, {}}, {world.motion_hash(), world.scene().treading});
   add(std::span(bytes).subspan(kStateHeaderBytes), StateInput::kBody);
   return corpus;
 }

@@ -1,6 +1,6 @@
-// Somebody's state file: whatever its bytes, it is taken over, and then is what is saved again, or refused with BadInput,
-// and then nothing has changed. The checksum would keep nearly all mutations from the reader behind it, so that the first
-// byte may ask for a header that fits.
+// Somebody's state file: whatever its bytes, it is taken over, and then is what is saved again, or refused
+// with BadInput, and then nothing has changed. The checksum would keep nearly all mutations from the reader
+// behind it, so that the first byte may ask for a header that fits.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

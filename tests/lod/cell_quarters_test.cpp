@@ -50,9 +50,10 @@ TEST(CellQuartersTest, HoldEveryBladeOnceWhereTheySay) {
 TEST(CellQuartersTest, HoldWhereTheDensityVaries) {
   for (const double spacing_m : {0.25, 0.5, 1.0, 4.0}) {
     expect_quarters(level_meadow(kExtentM, grid_from(square_frame(kExtentM, spacing_m), [&](glm::dvec2 p) {
-      const double noise = unit_noise(5, std::lround(p.x / spacing_m), std::lround(p.y / spacing_m));
-      return noise > 0.3 ? 600.0 * noise : 0.0;
-    })));
+                                   const double noise = unit_noise(5, std::lround(p.x / spacing_m),
+                                                                   std::lround(p.y / spacing_m));
+                                   return noise > 0.3 ? 600.0 * noise : 0.0;
+                                 })));
   }
 }
 

@@ -62,8 +62,8 @@ double keep_of_root(const LodCoefficients& lod, const Scene& scene, glm::vec2 lo
   const glm::vec3 to_eye = parallel ? glm::vec3(-scene.camera.forward()) : -root_m / distance_m;
   const glm::vec3 normal = kernels.normalized({-ground.slope.x, -ground.slope.y, 1.0f});
   const auto pixel_m = static_cast<float>(scene.camera.pixel_m());
-  return static_cast<double>(kernels.keep_share(lod, kernels.inner(normal, to_eye),
-                                                parallel ? pixel_m : pixel_m * distance_m, distance_m, kWidthM));
+  return static_cast<double>(kernels.keep_share(
+      lod, kernels.inner(normal, to_eye), parallel ? pixel_m : pixel_m * distance_m, distance_m, kWidthM));
 }
 
 struct Outcome {

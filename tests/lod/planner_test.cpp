@@ -110,15 +110,15 @@ int expect_seen_blades_planned(const Meadow& meadow, const Camera& camera, const
           const glm::vec3 root_m = eye_from_tile_m + glm::vec3(blade.root_m, ground.height_m);
           const float distance_m = glm::length(root_m);
           const glm::vec3 normal = kernels.normalized({-ground.slope.x, -ground.slope.y, 1.0f});
-          const float keep = kernels.keep_share(plan.lod, kernels.inner(normal, -root_m / distance_m),
-                                                pixel * distance_m, distance_m,
-                                                meadow.species[cell.species].species.params.width_m) *
-                             kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(cell));
+          const float keep =
+              kernels.keep_share(plan.lod, kernels.inner(normal, -root_m / distance_m), pixel * distance_m,
+                                 distance_m, meadow.species[cell.species].species.params.width_m) *
+              kernels.crowded_share(plan.lod, kernels.mean_density_per_m2(cell));
           const float rank = (static_cast<float>(k) + cell.rank_offset) / static_cast<float>(cell.planted);
           const float growth = kernels.growth_of(plan.lod, keep * left, rank);
           if (growth <= 0.0f) continue;
-          const auto curve =
-              kernels.curve_of(kernels.chain_of(blade, kernels.pose_blade(blade, ground.slope, growth), growth));
+          const auto curve = kernels.curve_of(
+              kernels.chain_of(blade, kernels.pose_blade(blade, ground.slope, growth), growth));
           for (const float t : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
             const glm::vec3 point_m = kernels.hermite_point(curve.base_m, curve.tip_m, curve.base_tangent_m,
                                                             curve.tip_tangent_m, t);
@@ -295,7 +295,8 @@ std::map<std::pair<float, float>, float> morphs_by_place(const FramePlan& plan) 
   return morphs;
 }
 
-/// An eye that trembles by a few centimetres leaves morphing tiles as they are; one that walks on carries them with it.
+/// An eye that trembles by a few centimetres leaves morphing tiles as they are; one that walks on carries
+/// them with it.
 TEST(PlannerTest, MorphsHavePlay) {
   const Meadow meadow = level_meadow(kExtentM, uniform_density(100.0));
   Planner planner(meadow);

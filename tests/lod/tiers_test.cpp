@@ -86,7 +86,8 @@ TEST(TiersTest, CoarseMeshesKeepAreaAndLight) {
   }
 }
 
-/// A mesh has the shape of the next coarser one before that takes its place, and its own while it is much finer.
+/// A mesh has the shape of the next coarser one before that takes its place, and its own while it is much
+/// finer.
 TEST(TiersTest, MeshesTakeTheShapeOfTheNext) {
   Kernels kernels;
   const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
@@ -113,12 +114,16 @@ TEST(TiersTest, MeshesAreWiderByWhatChordsAreShort) {
     const double angle = 1.5707963267948966 * t;
     return glm::vec3(glm::dvec3(std::sin(angle), 0.0, 1.0 - std::cos(angle)));
   };
-  const auto seen = kernels.seen_areas(point(0.0), point(0.25), point(0.5), point(0.75), point(1.0), {0.0f, 1.0f, 0.0f});
-  const auto chords = [](double pieces) { return std::sin(0.7853981633974483 / pieces) / (0.7853981633974483 / pieces); };
+  const auto seen =
+      kernels.seen_areas(point(0.0), point(0.25), point(0.5), point(0.75), point(1.0), {0.0f, 1.0f, 0.0f});
+  const auto chords = [](double pieces) {
+    return std::sin(0.7853981633974483 / pieces) / (0.7853981633974483 / pieces);
+  };
   EXPECT_NEAR(kernels.wider_for_chords(seen, 1, 0.0f), 1.0 / chords(1.0), 2e-3);
   EXPECT_NEAR(kernels.wider_for_chords(seen, 2, 0.0f), 1.0 / chords(2.0), 2e-3);
   EXPECT_NEAR(kernels.wider_for_chords(seen, 4, 0.0f), 1.0 / chords(4.0), 2e-3);
-  EXPECT_NEAR(kernels.wider_for_chords(seen, 4, 1.0f), 1.0 / chords(2.0), 2e-3) << "blended into two segments";
+  EXPECT_NEAR(kernels.wider_for_chords(seen, 4, 1.0f), 1.0 / chords(2.0), 2e-3)
+      << "blended into two segments";
 }
 
 TEST(TiersTest, RadianceSurvivesPacking) {
@@ -136,8 +141,10 @@ TEST(TiersTest, DenseSwardsKeepNoMoreBladesThanOthers) {
   Kernels kernels;
   const LodCoefficients lod = tier_coefficients(Tier::kAuto, Quality::kMedium, 120.0, Camera{});
   EXPECT_EQ(kernels.crowded_share(lod, 100.0f), 1.0f);
-  EXPECT_FLOAT_EQ(10000.0f * kernels.crowded_share(lod, 10000.0f), 2000.0f * kernels.crowded_share(lod, 2000.0f));
-  EXPECT_EQ(kernels.crowded_share(tier_coefficients(Tier::kSpline, Quality::kLow, 1.0, Camera{}), 1e5f), 1.0f);
+  EXPECT_FLOAT_EQ(10000.0f * kernels.crowded_share(lod, 10000.0f),
+                  2000.0f * kernels.crowded_share(lod, 2000.0f));
+  EXPECT_EQ(kernels.crowded_share(tier_coefficients(Tier::kSpline, Quality::kLow, 1.0, Camera{}), 1e5f),
+            1.0f);
 }
 
 }  // namespace

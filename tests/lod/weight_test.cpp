@@ -124,7 +124,8 @@ TEST(WeightTest, AllBladesMeansAll) {
   const LodCoefficients lod = tier_coefficients(Tier::kSpline, Quality::kMedium, 120.0, Camera{});
   for (const float distance_m : {0.1f, 10.0f, 1000.0f, 100000.0f}) {
     for (const float n_dot_r : {0.0f, 0.01f, 0.26f, 1.0f}) {
-      const float keep = Kernels{}.keep_share(lod, n_dot_r, lod.reference_pixel * distance_m, distance_m, kWidthM);
+      const float keep =
+          Kernels{}.keep_share(lod, n_dot_r, lod.reference_pixel * distance_m, distance_m, kWidthM);
       EXPECT_EQ(Kernels{}.growth_of(lod, keep, 1.0f), 1.0f);
       EXPECT_EQ(Kernels{}.widened_m(lod, keep, 0.004f, 1.0f), 0.004f);
     }

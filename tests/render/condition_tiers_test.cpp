@@ -51,7 +51,9 @@ struct View {
       : world(parse_scene(scene, ".", {}), {}), renderer(world, PRAIRIE_TEST_SHADERS) {
     world.watch_anew(kPlaceM);
   }
-  Picture picture(Tier tier, int samples) { return renderer.render(camera_on_the_field(), {.tier = tier}, samples); }
+  Picture picture(Tier tier, int samples) {
+    return renderer.render(camera_on_the_field(), {.tier = tier}, samples);
+  }
 
   World world;
   Renderer renderer;
@@ -78,17 +80,20 @@ TEST_F(ConditionTiersTest, ColoursAllTiersAlike) {
     View plain(std::string(kScene) + wind), dry(std::string(kScene) + wind + drought);
     for (const auto& [name, tier] : {Case{"spline", Tier::kSpline}, Case{"hermite", Tier::kHermite},
                                      Case{"strip", Tier::kStrip}, Case{"flat", Tier::kFlat}}) {
-      const glm::dvec3 ratio = mean_color(dry.picture(tier, 4)) / mean_color(plain.picture(tier, 4)) / kFactor;
-      std::printf("%-8s %-6s colour by plain colour and factor: %.4f %.4f %.4f\n", name, *wind == 0 ? "calm" : "breeze",
-                  ratio.x, ratio.y, ratio.z);
-      // Soil, and what of the litter is not this year's leaves, show between blades and keep their colour: 0.3 % here.
+      const glm::dvec3 ratio =
+          mean_color(dry.picture(tier, 4)) / mean_color(plain.picture(tier, 4)) / kFactor;
+      std::printf("%-8s %-6s colour by plain colour and factor: %.4f %.4f %.4f\n", name,
+                  *wind == 0 ? "calm" : "breeze", ratio.x, ratio.y, ratio.z);
+      // Soil, and what of the litter is not this year's leaves, show between blades and keep their colour:
+      // 0.3 % here.
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 0.01) << name << " channel " << c;
     }
   }
 }
 
 TEST_F(ConditionTiersTest, NeutralOnesChangeNoPixel) {
-  const std::string far = "[[condition]]\ncentre_m = [9000, 0]\ncolor_factor = [4, 0, 0]\nstiffness_factor = 10\n";
+  const std::string far =
+      "[[condition]]\ncentre_m = [9000, 0]\ncolor_factor = [4, 0, 0]\nstiffness_factor = 10\n";
   for (const char* wind : {"", kBreeze}) {
     View plain(std::string(kScene) + wind), conditioned(std::string(kScene) + wind + far);
     for (const Tier tier : {Tier::kSpline, Tier::kStrip, Tier::kFlat})
@@ -97,8 +102,9 @@ TEST_F(ConditionTiersTest, NeutralOnesChangeNoPixel) {
 }
 
 TEST_F(ConditionTiersTest, FollowsTimeAndEye) {
-  View view(std::string(kScene) +
-            "[[condition]]\ncentre_m = [100, 100]\nradius_m = 50\nstart_s = 0.05\ncolor_factor = [1, 0, 1]\n");
+  View view(
+      std::string(kScene) +
+      "[[condition]]\ncentre_m = [100, 100]\nradius_m = 50\nstart_s = 0.05\ncolor_factor = [1, 0, 1]\n");
   const auto green = [&] { return mean_color(view.picture(Tier::kHermite, 1)).y; };
   const double before = green();
   view.world.step(0.1);

@@ -10,7 +10,8 @@
 
 namespace prairie {
 
-/// Rows from the top. `draw(stream)` prepares and draws it; the frame block is that of an empty frame of this world.
+/// Rows from the top. `draw(stream)` prepares and draws it; the frame block is that of an empty frame of this
+/// world.
 template <class Draw>
 std::vector<bool> covered_pixels(const World& world, const Camera& camera, Draw draw) {
   StreamBuffer stream(std::size_t{1} << 16);

@@ -43,7 +43,8 @@ TEST(FieldOverlay, ArrowsPointWhereTheWindBlows) {
   EXPECT_NEAR(static_cast<double>(arrows.size()), 3.1416 * 12.0 * 12.0, 20.0);
   for (const WindArrow& arrow : arrows) {
     const glm::dvec3 place_m = eye_m + glm::dvec3(arrow.middle_from_eye_m);
-    EXPECT_NEAR(place_m.z - static_cast<double>(world.meadow().ground.height_m(glm::dvec2(place_m))), 0.3, 1e-3);
+    EXPECT_NEAR(place_m.z - static_cast<double>(world.meadow().ground.height_m(glm::dvec2(place_m))), 0.3,
+                1e-3);
     EXPECT_NEAR(arrow.speed_m_per_s, 5.0f, 1e-4f);
     EXPECT_NEAR(arrow.along_m.y / arrow.along_m.x, 4.0f / 3.0f, 1e-3f);
   }

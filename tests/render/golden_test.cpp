@@ -112,7 +112,8 @@ TEST_F(GoldenTest, Walkers) {
                                      walking(ground, {16.5, 4.9}, 0.2, 1.5, 4.0, 1.68, 5),
                                      walking(ground, {17.4, 6.5}, 1.5, 0.0, 0.5, 1.82, 8)};
   for (std::uint32_t n = 0; n < 8; ++n)
-    walkers.push_back(walking(ground, {11.0 + 1.4 * n, 14.0 + 3.0 * (n % 3)}, 0.8 * n, 1.0, 3.0 + 0.1 * n, 1.7, n));
+    walkers.push_back(
+        walking(ground, {11.0 + 1.4 * n, 14.0 + 3.0 * (n % 3)}, 0.8 * n, 1.0, 3.0 + 0.1 * n, 1.7, n));
   Camera camera = camera_above(world, {16.0, 1.0}, 1.7, 0.0, -0.15);
   camera.size_px = {320, 240};
   FrameOptions options;
@@ -120,8 +121,8 @@ TEST_F(GoldenTest, Walkers) {
   compare("walkers", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, options, 4), 0.05);
 }
 
-/// A trunk, a block, rocks and a wall on a slope in the grass. A quarter of the picture is theirs, smooth but for the
-/// relief on them; the rest is blades as in the other cases.
+/// A trunk, a block, rocks and a wall on a slope in the grass. A quarter of the picture is theirs, smooth but
+/// for the relief on them; the rest is blades as in the other cases.
 TEST_F(GoldenTest, Obstacles) {
   const World world = open_world(meadow_scene(folder_));
   StandingThings things;

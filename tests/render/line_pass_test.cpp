@@ -1,5 +1,5 @@
-// Lines over the picture: they are where they should be and as wide, what comes from behind the eye is cut off, and
-// nothing but colours changes.
+// Lines over the picture: they are where they should be and as wide, what comes from behind the eye is cut
+// off, and nothing but colours changes.
 #include "render/line_pass.h"
 
 #include <algorithm>
@@ -49,7 +49,8 @@ TEST_F(LinePassTest, ALevelLineCrossesThePicture) {
     for (int column = 0; column < 160; ++column) {
       int found = 0;
       for (int row = 0; row < 120; ++row) {
-        const bool is_changed = pixels[static_cast<std::size_t>(row) * 160 + static_cast<std::size_t>(column)];
+        const bool is_changed =
+            pixels[static_cast<std::size_t>(row) * 160 + static_cast<std::size_t>(column)];
         if (!is_changed) continue;
         EXPECT_NEAR(row, 59.5, 1.6);
         ++found;
@@ -86,8 +87,8 @@ TEST_F(LinePassTest, PointsAndParallelProjectionsAreFine) {
   camera.orthographic_height_m = 20.0;
   camera.size_px = {160, 120};
   const glm::dvec3 middle_m = camera.eye_m + 20.0 * camera.forward();
-  const std::vector<LineSegment> lines{{middle_m, middle_m, kRed},
-                                       {middle_m - 5.0 * camera.right(), middle_m + 5.0 * camera.right(), kRed}};
+  const std::vector<LineSegment> lines{
+      {middle_m, middle_m, kRed}, {middle_m - 5.0 * camera.right(), middle_m + 5.0 * camera.right(), kRed}};
   const std::vector<bool> pixels = changed(renderer, camera, lines);
   // 10 m of 20 m over 120 pixels.
   const auto found = std::count(pixels.begin(), pixels.end(), true);

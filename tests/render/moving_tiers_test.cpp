@@ -1,4 +1,5 @@
-// One field moves all tiers (docs/design.md, D4): under one gust blades, strips and the ground's look follow it alike.
+// One field moves all tiers (docs/design.md, D4): under one gust blades, strips and the ground's look follow
+// it alike.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -87,7 +88,8 @@ TEST(MovingTiers, StripsMoveAsFarAsBlades) {
         hermite /= length_m;
         // As shaders/pass/strips.comp moves the top of a strip.
         const glm::dvec2 tip(glm::vec2(kernels.texel_tip(t[0], t[1], t[2])));
-        const double share = static_cast<double>(tip_shares[s].still) + static_cast<double>(tip_shares[s].bent) * glm::length(tip);
+        const double share = static_cast<double>(tip_shares[s].still) +
+                             static_cast<double>(tip_shares[s].bent) * glm::length(tip);
         const glm::dvec2 strip = share * tip;
         farthest = std::max(farthest, glm::length(spline));
         EXPECT_LT(glm::distance(hermite, spline), 1e-6);
@@ -97,8 +99,10 @@ TEST(MovingTiers, StripsMoveAsFarAsBlades) {
       }
     }
   }
-  std::printf("tips move by up to %.2f of their length; strips are off by at most %.1f %% of that of blades (%d cases)\n",
-              farthest, 100.0 * worst, compared);
+  std::printf(
+      "tips move by up to %.2f of their length; strips are off by at most %.1f %% of that of blades (%d "
+      "cases)\n",
+      farthest, 100.0 * worst, compared);
   EXPECT_GT(compared, 60);
   EXPECT_GT(farthest, 0.25);
   EXPECT_LE(worst, 0.10);
@@ -145,8 +149,9 @@ TEST_F(MovingTiersTest, TheGroundsBrightnessFollowsTheGust) {
     spline.push_back(brightness(renderer.render(camera, {.tier = Tier::kSpline}, 4)));
   }
   const double flat_follows = correlation(displaced, flat), spline_follows = correlation(displaced, spline);
-  std::printf("correlation of brightness with the tips' displacement: flat %.3f, spline %.3f; of each other: %.3f\n", flat_follows,
-              spline_follows, correlation(flat, spline));
+  std::printf(
+      "correlation of brightness with the tips' displacement: flat %.3f, spline %.3f; of each other: %.3f\n",
+      flat_follows, spline_follows, correlation(flat, spline));
   EXPECT_GE(flat_follows, 0.8);
   EXPECT_GE(spline_follows, 0.8);
 }

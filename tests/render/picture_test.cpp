@@ -159,7 +159,8 @@ TEST_F(MeanwhileTest, HasEndedWhenTheFrameIsDrawnAndIsDoneOnce) {
     EXPECT_EQ(done, 1);
     renderer.render(camera, {}, 3, [&] { ++done; });
     EXPECT_EQ(done, 2);
-    EXPECT_THROW(renderer.draw(camera, {}, target.get(), [] { throw std::runtime_error("no"); }), std::runtime_error);
+    EXPECT_THROW(renderer.draw(camera, {}, target.get(), [] { throw std::runtime_error("no"); }),
+                 std::runtime_error);
     EXPECT_THROW(renderer.render(camera, {}, 1, [] { throw std::runtime_error("no"); }), std::runtime_error);
   }
 }

@@ -1,5 +1,6 @@
-// Solid things cover the pixels that they should: the outline of a smooth sphere against geometry, that of a boulder within
-// the sphere, and what stands behind a ridge is hidden by it. What is expected is traced ray by ray.
+// Solid things cover the pixels that they should: the outline of a smooth sphere against geometry, that of a
+// boulder within the sphere, and what stands behind a ridge is hidden by it. What is expected is traced ray
+// by ray.
 #include "render/solid_pass.h"
 
 #include <algorithm>
@@ -166,7 +167,8 @@ TEST_F(SolidPassTest, GroundHidesWhatStandsBehindIt) {
     const int column = static_cast<int>(n) % camera.size_px.x, row = static_cast<int>(n) / camera.size_px.x;
     const glm::dvec3 ray = ray_of(camera, column, row);
     const double sphere_m = distance_to_sphere_m(camera, ray, centre_m, 1.0);
-    const double ground_m = sphere_m < kNoHit ? distance_to_ground_m(camera, ray, world.meadow().ground) : 0.0;
+    const double ground_m =
+        sphere_m < kNoHit ? distance_to_ground_m(camera, ray, world.meadow().ground) : 0.0;
     const double core_m = distance_to_sphere_m(camera, ray, centre_m, 0.92);
     const bool differs = with.linear_rgb[3 * n + 1] != without.linear_rgb[3 * n + 1];
     const bool must_show = core_m + 0.1 < ground_m;
@@ -177,7 +179,8 @@ TEST_F(SolidPassTest, GroundHidesWhatStandsBehindIt) {
   }
   EXPECT_GT(seen, 100);
   EXPECT_GT(hidden, 100);
-  // The mesh of the ground, quads of half a metre, cuts up to 5 cm off the ridge: two rows of pixels along 80 columns.
+  // The mesh of the ground, quads of half a metre, cuts up to 5 cm off the ridge: two rows of pixels along 80
+  // columns.
   std::printf("%d pixels seen, %d hidden, %d wrong\n", seen, hidden, wrong);
   EXPECT_LE(wrong, 60);
 }

@@ -1,4 +1,5 @@
-// The ring through which frames reach the device: what is written is what the device reads, also when a frame outgrows it.
+// The ring through which frames reach the device: what is written is what the device reads, also when a frame
+// outgrows it.
 #include "render/stream_buffer.h"
 
 #include <numeric>
@@ -16,7 +17,8 @@ std::vector<std::uint32_t> read_back(const StreamBuffer::Slice& slice, std::size
   glCopyNamedBufferSubData(slice.buffer, copy.get(), slice.offset, 0,
                            static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)));
   std::vector<std::uint32_t> values(count);
-  glGetNamedBufferSubData(copy.get(), 0, static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)), values.data());
+  glGetNamedBufferSubData(copy.get(), 0, static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)),
+                          values.data());
   return values;
 }
 
@@ -32,7 +34,8 @@ TEST_F(StreamBufferTest, HoldsWhatAFrameWrites) {
       std::iota(written.back().begin(), written.back().end(), 1000 * frame + 50 * n);
       slices.push_back(stream.write(written.back().data(), written.back().size() * sizeof(std::uint32_t)));
     }
-    for (std::size_t n = 0; n < slices.size(); ++n) EXPECT_EQ(read_back(slices[n], written[n].size()), written[n]);
+    for (std::size_t n = 0; n < slices.size(); ++n)
+      EXPECT_EQ(read_back(slices[n], written[n].size()), written[n]);
   }
 }
 

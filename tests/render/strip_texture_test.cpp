@@ -1,4 +1,5 @@
-// The strips' texture: at every threshold all levels show about equally many texels, and colours are shares of the mean.
+// The strips' texture: at every threshold all levels show about equally many texels, and colours are shares
+// of the mean.
 #include "render/strip_texture.h"
 
 #include <gtest/gtest.h>

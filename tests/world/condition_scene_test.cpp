@@ -36,7 +36,8 @@ stiffness_factor = 4
 
 TEST(ConditionScene, ReadsEveryKey) {
   EXPECT_TRUE(plain_with("").conditions.empty());
-  const Scene scene = plain_with(std::string(kFrost) + "[[condition]]\ncolor_factor = \"#ff8000\"\nradius_m = 2\n");
+  const Scene scene =
+      plain_with(std::string(kFrost) + "[[condition]]\ncolor_factor = \"#ff8000\"\nradius_m = 2\n");
   ASSERT_EQ(scene.conditions.size(), 2u);
   const Condition& frost = scene.conditions[0];
   EXPECT_EQ(frost.centre_m, glm::dvec2(12.0, 8.0));
@@ -78,7 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[[conditions]]", "conditions", "did you mean 'condition'?"},
         Refusal{"[[condition]]\nradius = 3", "condition.0.radius", "did you mean 'radius_m'?"},
         Refusal{"[[condition]]\nwetness = 3", "condition.0.wetness", "unknown key 'wetness' in line 7"},
-        Refusal{"[[condition]]\nradius_m = -3", "condition.0.radius_m", "found -3 in line 7, expected 0.01 to"},
+        Refusal{"[[condition]]\nradius_m = -3", "condition.0.radius_m",
+                "found -3 in line 7, expected 0.01 to"},
         Refusal{"[[condition]]\nradius_m = nan", "condition.0.radius_m", "found nan in line 7"},
         Refusal{"[[condition]]\nradius_m = \"a\"", "condition.0.radius_m", "a number"},
         Refusal{"[[condition]]\nradius_m = 3\nradius_m = 4", "line 8, column 12", "redefine"},
@@ -96,7 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[[condition]]\ncolor_factor = [1, 1, 5]", "condition.0.color_factor", "0 to 4"},
         Refusal{"[[condition]]\ncolor_factor = [1, 1, nan]", "condition.0.color_factor", "found nan"},
         Refusal{"[[condition]]\nstiffness_factor = 0", "condition.0.stiffness_factor", "0.1 to 10"},
-        Refusal{"[[condition]]\nstiffness_factor = 11", "condition.0.stiffness_factor", "found 11 in line 7"}));
+        Refusal{"[[condition]]\nstiffness_factor = 11", "condition.0.stiffness_factor",
+                "found 11 in line 7"}));
 
 TEST(ConditionScene, BelongsToTheScenesHash) {
   const auto hash_of = [](const std::string& more, const std::vector<std::string>& overrides = {}) {
@@ -163,12 +166,14 @@ TEST(ConditionWorld, MayBeSpawned) {
   Motion& motion = world.motion();
   motion.watch({9.0, 6.0});
   for (int n = 0; n < 30; ++n) world.step(kStepS);
-  motion.spawn(Condition{.centre_m = {9.0, 6.0}, .color_factor = {0.5f, 1.0f, 1.0f}, .stiffness_factor = 8.0});
+  motion.spawn(
+      Condition{.centre_m = {9.0, 6.0}, .color_factor = {0.5f, 1.0f, 1.0f}, .stiffness_factor = 8.0});
   ASSERT_NE(motion.conditions(), nullptr);
   EXPECT_NEAR(motion.conditions()->at({9.0, 6.0}).color_factor.x, 0.5f, 1e-6f) << "at once";
   const glm::vec3 before = motion.sway()->mean_tip({9.0, 6.0});
   world.step(kStepS);
-  EXPECT_LT(glm::distance(motion.sway()->mean_tip({9.0, 6.0}), before), 0.25f * glm::length(before)) << "no jump";
+  EXPECT_LT(glm::distance(motion.sway()->mean_tip({9.0, 6.0}), before), 0.25f * glm::length(before))
+      << "no jump";
   for (int n = 0; n < 120; ++n) world.step(kStepS);
   EXPECT_LT(glm::length(motion.sway()->mean_tip({9.0, 6.0})), 0.6f * glm::length(before));
   EXPECT_THROW(motion.spawn(Condition{.radius_m = -1.0}), BadInput);
@@ -176,9 +181,10 @@ TEST(ConditionWorld, MayBeSpawned) {
 
 TEST(ConditionWorld, SpawningKeepsWhatTheSceneHas) {
   // Both are over when others are spawned, and a state brings back the time when they were not.
-  World world = world_with(std::string(kWind) +
-                           "[[wind.gust]]\nposition_m = [0, 8]\nstrength_m_per_s = 9\nway_m = 4\n"
-                           "[[condition]]\ncentre_m = [9, 6]\nradius_m = 9\nduration_s = 1\ncolor_factor = [2, 1, 1]\n");
+  World world = world_with(
+      std::string(kWind) +
+      "[[wind.gust]]\nposition_m = [0, 8]\nstrength_m_per_s = 9\nway_m = 4\n"
+      "[[condition]]\ncentre_m = [9, 6]\nradius_m = 9\nduration_s = 1\ncolor_factor = [2, 1, 1]\n");
   Motion& motion = world.motion();
   motion.watch_anew({9.0, 6.0});
   for (int n = 0; n < 30; ++n) world.step(kStepS);
@@ -189,7 +195,8 @@ TEST(ConditionWorld, SpawningKeepsWhatTheSceneHas) {
   const glm::dvec2 elsewhere_m(500.0, 500.0);
   for (int n = 0; n < 300; ++n) {
     motion.spawn(Gust{.origin_m = elsewhere_m, .start_s = -1e4});
-    motion.spawn(Condition{.centre_m = elsewhere_m, .radius_m = 1.0, .edge_m = 1.0, .start_s = -10.0, .duration_s = 1.0});
+    motion.spawn(Condition{
+        .centre_m = elsewhere_m, .radius_m = 1.0, .edge_m = 1.0, .start_s = -10.0, .duration_s = 1.0});
   }
   world.load_state(early, "");
   EXPECT_EQ(motion.conditions()->at({9.0, 6.0}).color_factor.x, 2.0f);

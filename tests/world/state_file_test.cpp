@@ -1,5 +1,5 @@
-// A state that is saved and loaded goes on as if nothing had happened; anything else is refused, in words, and changes
-// nothing.
+// A state that is saved and loaded goes on as if nothing had happened; anything else is refused, in words,
+// and changes nothing.
 #include "world/state_file.h"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,8 @@ struct Case {
 };
 
 void PrintTo(const Case& one, std::ostream* out) {
-  *out << (one.is_windy ? "windy" : "calm") << (one.is_watched ? ", watched, " : ", unwatched, ") << one.threads;
+  *out << (one.is_windy ? "windy" : "calm") << (one.is_watched ? ", watched, " : ", unwatched, ")
+       << one.threads;
 }
 
 class StateFile : public ::testing::TestWithParam<Case> {};
@@ -160,7 +161,8 @@ TEST(StateFileTest, CutShortAnywhere) {
   const Bytes& whole = calm_state();
   ASSERT_GT(whole.size(), 10'000u);
   for (std::size_t length = 0; length < whole.size(); length += 97) {
-    const std::string said = refusal(world, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
+    const std::string said =
+        refusal(world, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
     ASSERT_NE(said.find(length == 0 ? "no state" : "cut short"), std::string::npos) << length << ": " << said;
   }
   Bytes longer = whole;
@@ -248,7 +250,8 @@ class StateNumbers : public ::testing::Test {
     run(world_, 60);
   }
 
-  void expect_refused(const std::function<void(MotionState&)>& change, const char* field, const char* words = "") {
+  void expect_refused(const std::function<void(MotionState&)>& change, const char* field,
+                      const char* words = "") {
     MotionState state = world_.motion().state();
     change(state);
     const std::string said =
@@ -283,7 +286,8 @@ TEST_F(StateNumbers, Treads) {
 TEST_F(StateNumbers, SettingsOfTreading) {
   TreadSettings settings = world_.scene().treading;
   settings.recovery_s += 1.0;
-  const std::string said = refusal(world_, state_bytes({world_.motion().state(), {}}, {world_.motion_hash(), settings}));
+  const std::string said =
+      refusal(world_, state_bytes({world_.motion().state(), {}}, {world_.motion_hash(), settings}));
   EXPECT_NE(said.find("treading: found recovery_s"), std::string::npos) << said;
 }
 
@@ -299,11 +303,7 @@ TEST_F(StateNumbers, Sway) {
         state.sway = SwayState{*state.eye_m, std::vector<ChainMotion>(7)};
       },
       "sway", "7 blades");
-  expect_refused(
-      [](MotionState& state) {
-        state.sway = SwayState{*state.eye_m, {}};
-      },
-      "sway", "0 blades");
+  expect_refused([](MotionState& state) { state.sway = SwayState{*state.eye_m, {}}; }, "sway", "0 blades");
   World windy_world = windy();
   windy_world.motion().watch(kEyeM);
   windy_world.step(kStepS);
@@ -331,14 +331,20 @@ TEST_F(StateNumbers, TouchedBlades) {
   const auto last = [](MotionState& state) -> TouchedBlade& { return state.touched.back().second.back(); };
   // Nothing is planted beyond the cell's count.
   expect_refused([&](MotionState& state) { last(state).index = 5000; }, "touched.index", "one of the");
-  expect_refused([&](MotionState& state) { last(state).index = 1u << 24; }, "touched.index", "less than 16777216");
+  expect_refused([&](MotionState& state) { last(state).index = 1u << 24; }, "touched.index",
+                 "less than 16777216");
   expect_refused(
-      [](MotionState& state) { state.touched.front().second.push_back(state.touched.front().second.front()); },
+      [](MotionState& state) {
+        state.touched.front().second.push_back(state.touched.front().second.front());
+      },
       "touched.index", "once");
-  expect_refused([](MotionState& state) { state.touched.push_back(state.touched.front()); }, "touched.cell", "order");
+  expect_refused([](MotionState& state) { state.touched.push_back(state.touched.front()); }, "touched.cell",
+                 "order");
   expect_refused([](MotionState& state) { state.touched.back().first.cell = 4; }, "touched.cell", "0 to 3");
-  expect_refused([](MotionState& state) { state.touched.back().first.tile.i = 1000; }, "touched.cell", "meadow");
-  expect_refused([](MotionState& state) { state.touched.back().second.clear(); }, "touched.cell", "at least one");
+  expect_refused([](MotionState& state) { state.touched.back().first.tile.i = 1000; }, "touched.cell",
+                 "meadow");
+  expect_refused([](MotionState& state) { state.touched.back().second.clear(); }, "touched.cell",
+                 "at least one");
 }
 
 }  // namespace

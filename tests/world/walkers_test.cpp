@@ -1,4 +1,5 @@
-// Walkers in a world: scenes that describe them, states that hold them, tracks in their place, treads behind them.
+// Walkers in a world: scenes that describe them, states that hold them, tracks in their place, treads behind
+// them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -199,22 +200,33 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"[[wall]]\noutline_m = [[0, 0], [10, 10], [10, 0], [0, 10]]\n", "wall.0"},
         Fault{"[[wall]]\noutline_m = [[0, 0], [10, 0]]\n", "wall.0.outline_m"},
-        Fault{"[[wall]]\noutline_m = [[0, 0], [10, 0], [10, 10]]\nholes_m = [[[20, 20], [21, 20], [21, 21]]]\n", "wall.0"},
+        Fault{
+            "[[wall]]\noutline_m = [[0, 0], [10, 0], [10, 10]]\nholes_m = [[[20, 20], [21, 20], [21, 21]]]\n",
+            "wall.0"},
         Fault{"[[obstacle]]\nkind = \"trunk\"\nposition_m = [5, 5]\nradius_m = -1\n", "obstacle.0.radius_m"},
         Fault{"[[obstacle]]\nkind = \"rock\"\nposition_m = [5, nan]\n", "obstacle.0.position_m"},
         Fault{"[[obstacle]]\nposition_m = [5, 5]\n", "obstacle.0.kind"},
-        Fault{"[[obstacle]]\nkind = \"trunk\"\nposition_m = [5, 5]\n[[walkers]]\nname = \"one\"\nstarts_m = [[5.1, 5]]\n", "starts_m"},
+        Fault{"[[obstacle]]\nkind = \"trunk\"\nposition_m = [5, 5]\n[[walkers]]\nname = \"one\"\nstarts_m = "
+              "[[5.1, 5]]\n",
+              "starts_m"},
         Fault{"[[walkers]]\nname = \"two\"\nstarts_m = [[5, 5], [5.1, 5]]\n", "starts_m"},
-        Fault{"[[wall]]\noutline_m = [[0, 0], [10, 0], [10, 10], [0, 10]]\n[[walkers]]\nname = \"out\"\nstarts_m = [[15, 5]]\n", "starts_m"},
+        Fault{"[[wall]]\noutline_m = [[0, 0], [10, 0], [10, 10], [0, 10]]\n[[walkers]]\nname = "
+              "\"out\"\nstarts_m = [[15, 5]]\n",
+              "starts_m"},
         Fault{"[[walkers]]\nname = \"many\"\ncount = 1000000\nposition_m = [5, 5]\n", "walkers.0.count"},
         Fault{"[[walkers]]\nname = \"some\"\ncount = -1\nposition_m = [5, 5]\n", "walkers.0.count"},
-        Fault{"[[walkers]]\nname = \"tight\"\ncount = 1000\nposition_m = [5, 5]\nradius_m = 2\n", "walkers.radius_m"},
+        Fault{"[[walkers]]\nname = \"tight\"\ncount = 1000\nposition_m = [5, 5]\nradius_m = 2\n",
+              "walkers.radius_m"},
         Fault{"[[walkers]]\nname = \"lost\"\n", "walkers.0.position_m"},
-        Fault{"[[walkers]]\nname = \"odd\"\nposition_m = [5, 5]\nbehaviour = \"fly\"\n", "walkers.0.behaviour"},
+        Fault{"[[walkers]]\nname = \"odd\"\nposition_m = [5, 5]\nbehaviour = \"fly\"\n",
+              "walkers.0.behaviour"},
         Fault{"[[walkers]]\nname = \"odd\"\nposition_m = [5, 5]\nbehaviour = \"visit\"\n", "walkers.0.goals"},
-        Fault{"[[walkers]]\nname = \"odd\"\nposition_m = [5, 5]\nbehaviour = \"visit\"\ngoals = [\"nowhere\"]\n", "walkers.0.goals"},
+        Fault{"[[walkers]]\nname = \"odd\"\nposition_m = [5, 5]\nbehaviour = \"visit\"\ngoals = "
+              "[\"nowhere\"]\n",
+              "walkers.0.goals"},
         Fault{"[[walkers]]\nname = \"odd\"\nposition_m = [5, 5]\nsensor_m = inf\n", "walkers.0.sensor_m"},
-        Fault{"[[goal]]\nname = \"a\"\nposition_m = [1, 2]\n[[goal]]\nname = \"a\"\nposition_m = [1, 2]\n", "goal.1.name"}));
+        Fault{"[[goal]]\nname = \"a\"\nposition_m = [1, 2]\n[[goal]]\nname = \"a\"\nposition_m = [1, 2]\n",
+              "goal.1.name"}));
 
 TEST(WalkerStates, OfOtherWalkersAreRefused) {
   World world = world_of(kPeople);
@@ -228,9 +240,12 @@ TEST(WalkerStates, OfOtherWalkersAreRefused) {
   };
   walkers.pop_back();
   refused(walkers);
-  for (const auto& spoil : {+[](Walker& w) { w.forward = {0.0, 0.0}; }, +[](Walker& w) { w.memory.goal = 7; },
-                            +[](Walker& w) { w.footing.phase = 3.0; }, +[](Walker& w) { w.position_m.x = 1e9; },
-                            +[](Walker& w) { w.speed_m_per_s = -1.0; }}) {
+  for (const auto& spoil :
+       {+[](Walker& w) {
+          w.forward = {0.0, 0.0};
+        },
+        +[](Walker& w) { w.memory.goal = 7; }, +[](Walker& w) { w.footing.phase = 3.0; },
+        +[](Walker& w) { w.position_m.x = 1e9; }, +[](Walker& w) { w.speed_m_per_s = -1.0; }}) {
     walkers = kept;
     spoil(walkers[3]);
     refused(walkers);
@@ -259,10 +274,12 @@ TEST(ReplayedTracks, TreadVisiblePathsAndKeepToTheData) {
       ++compared;
       if (k == 0 || k + 1 == times_s.size()) continue;
       const glm::dvec2 way = tracks[n].positions_m[k + 1] - tracks[n].positions_m[k - 1];
-      if (glm::length(way) > 0.6) worst_cosine = std::min(worst_cosine, glm::dot(glm::normalize(way), world.walkers()[n].forward));
+      if (glm::length(way) > 0.6)
+        worst_cosine = std::min(worst_cosine, glm::dot(glm::normalize(way), world.walkers()[n].forward));
     }
   }
-  fmt::print("{} positions, worst {:.2e} m, heading within {:.1f} degrees\n", compared, worst_m, std::acos(worst_cosine) * 57.29578);
+  fmt::print("{} positions, worst {:.2e} m, heading within {:.1f} degrees\n", compared, worst_m,
+             std::acos(worst_cosine) * 57.29578);
   EXPECT_GT(compared, 500u);
   EXPECT_LE(worst_m, 0.01);
   EXPECT_GT(worst_cosine, 0.7);
@@ -301,10 +318,12 @@ radius_m = 75
       if (n == 20 * 60 * 30) bytes_early = world.motion().treading().bytes();
     }
     for (const Walker& walker : world.walkers()) {
-      EXPECT_TRUE(std::isfinite(walker.position_m.x + walker.position_m.y + walker.speed_m_per_s + walker.footing.phase));
+      EXPECT_TRUE(std::isfinite(walker.position_m.x + walker.position_m.y + walker.speed_m_per_s +
+                                walker.footing.phase));
     }
     // All of the meadow has been walked on after twenty minutes: nothing grows from then on.
-    EXPECT_NEAR(static_cast<double>(world.motion().treading().bytes()), static_cast<double>(bytes_early), 0.01 * static_cast<double>(bytes_early));
+    EXPECT_NEAR(static_cast<double>(world.motion().treading().bytes()), static_cast<double>(bytes_early),
+                0.01 * static_cast<double>(bytes_early));
     return world.saved_state();
   };
   EXPECT_TRUE(hour() == hour());
