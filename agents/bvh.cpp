@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "animation/heading.h"
-#include "maps/csv_table.h"
-#include "maps/decimal.h"
-#include "maps/error.h"
+#include "files/csv_table.h"
+#include "files/decimal.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

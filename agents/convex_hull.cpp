@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

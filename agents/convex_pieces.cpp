@@ -14,7 +14,7 @@
 #include <string>
 #include <tuple>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

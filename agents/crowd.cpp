@@ -18,7 +18,7 @@
 #include "agents/plane_vectors.h"
 #include "agents/skeleton.h"
 #include "animation/heading.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {

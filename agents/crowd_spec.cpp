@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "animation/range_check.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -8,7 +8,7 @@
 #include "agents/plane_vectors.h"
 #include "agents/skeleton.h"
 #include "animation/range_check.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "agents/skeleton.h"
 #include "agents/sole.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

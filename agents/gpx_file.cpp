@@ -6,8 +6,8 @@
 #include <chrono>
 #include <pugixml.hpp>
 
-#include "maps/decimal.h"
-#include "maps/error.h"
+#include "files/decimal.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

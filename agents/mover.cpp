@@ -11,7 +11,7 @@
 #include "agents/plane_vectors.h"
 #include "animation/heading.h"
 #include "animation/range_check.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

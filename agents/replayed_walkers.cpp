@@ -7,7 +7,7 @@
 
 #include "agents/foot_treads.h"
 #include "agents/skeleton.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {

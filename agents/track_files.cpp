@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "agents/gpx_file.h"
-#include "maps/csv_table.h"
-#include "maps/decimal.h"
-#include "maps/error.h"
+#include "files/csv_table.h"
+#include "files/decimal.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -8,7 +8,7 @@
 #include "animation/handover.h"
 #include "animation/range_check.h"
 #include "animation/tread_checks.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

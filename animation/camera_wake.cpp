@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "animation/range_check.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {

@@ -41,7 +41,7 @@ void fade_window(std::size_t level, glm::dvec2 centre_m, std::span<glm::vec4* co
                  std::span<const glm::vec4* const> coarser);
 
 /// Where the windows hold a place: the finest one that it lies in, as field_place in
-/// shaders/pass/moving_fields.glsl.
+/// shaders/lib/moving_fields.glsl.
 struct WindowPlace {
   std::size_t level;
   glm::dvec2 position_m;

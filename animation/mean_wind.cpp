@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "animation/heading.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

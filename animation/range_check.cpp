@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 

@@ -11,7 +11,7 @@
 #include "animation/blade_checks.h"
 #include "animation/contact.h"
 #include "generator/plant_cell.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "animation/range_check.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -5,8 +5,8 @@
 #include "bench/timing.h"
 #include "bench/varied_meadow.h"
 #include "generator/cell_table.h"
-#include "render/context.h"
-#include "render/gpu_planting.h"
+#include "render/gl/context.h"
+#include "render/grass/gpu_planting.h"
 
 namespace prairie {
 namespace {

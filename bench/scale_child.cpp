@@ -18,9 +18,9 @@
 #include "bench/scale_folder.h"
 #include "bench/scale_scene.h"
 #include "bench/scale_target.h"
-#include "maps/error.h"
-#include "render/context.h"
-#include "render/renderer.h"
+#include "files/error.h"
+#include "render/gl/context.h"
+#include "render/frame/renderer.h"
 
 extern char** environ;
 

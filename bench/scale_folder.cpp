@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 

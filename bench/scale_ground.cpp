@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "maps/atomic_file.h"
-#include "maps/image_output.h"
+#include "files/atomic_file.h"
+#include "maps/geotiff_output.h"
 #include "world/lattice_noise.h"
 
 namespace prairie {

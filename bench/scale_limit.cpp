@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "bench/scale_plain.h"
-#include "render/light.h"
+#include "render/light/light.h"
 
 namespace prairie {
 

@@ -8,10 +8,10 @@
 #include "bench/scale_target.h"
 #include "lod/camera.h"
 #include "lod/planner.h"
-#include "render/blade_pass.h"
-#include "render/gl_objects.h"
-#include "render/stream_buffer.h"
-#include "render/sward_tables.h"
+#include "render/grass/blade_pass.h"
+#include "render/gl/gl_objects.h"
+#include "render/gl/stream_buffer.h"
+#include "render/grass/sward_tables.h"
 #include "world/world.h"
 
 namespace prairie {

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "bench/benches.h"
-#include "bench/flip.h"
+#include "pictures/flip.h"
 #include "bench/scale_folder.h"
 #include "bench/scale_scene.h"
-#include "render/context.h"
-#include "render/renderer.h"
+#include "render/gl/context.h"
+#include "render/frame/renderer.h"
 
 namespace prairie {
 namespace {

@@ -4,7 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

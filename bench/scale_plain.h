@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lod/camera.h"
-#include "render/gl_objects.h"
+#include "render/gl/gl_objects.h"
 
 namespace prairie {
 

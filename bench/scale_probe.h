@@ -5,7 +5,7 @@
 
 #include "bench/scale_target.h"
 #include "lod/camera.h"
-#include "render/gl_objects.h"
+#include "render/gl/gl_objects.h"
 
 namespace prairie {
 

@@ -8,7 +8,7 @@
 namespace prairie {
 namespace {
 
-// As in shaders/pass/tint.glsl, in the order of its tiers; only the hues matter.
+// As in shaders/lib/tint.glsl, in the order of its tiers; only the hues matter.
 const std::array<glm::vec3, 4> kTints{
     {{1.0f, 0.25f, 0.2f}, {1.0f, 0.85f, 0.2f}, {0.25f, 1.0f, 0.3f}, {0.3f, 0.5f, 1.0f}}};
 // The share of a pixel's own colour that tinting keeps.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lod/camera.h"
-#include "render/renderer.h"
+#include "render/frame/renderer.h"
 
 namespace prairie {
 

@@ -3,7 +3,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/gl_objects.h"
+#include "render/gl/gl_objects.h"
 
 namespace prairie {
 

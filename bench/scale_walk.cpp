@@ -12,7 +12,7 @@
 #include "bench/scale_shares.h"
 #include "bench/timing.h"
 #include "bench/walking_eye.h"
-#include "render/context.h"
+#include "render/gl/context.h"
 
 namespace prairie {
 namespace {

@@ -10,8 +10,8 @@
 #include "bench/benches.h"
 #include "bench/scale_target.h"
 #include "bench/timing.h"
-#include "render/context.h"
-#include "render/renderer.h"
+#include "render/gl/context.h"
+#include "render/frame/renderer.h"
 
 namespace prairie {
 namespace {

@@ -6,10 +6,10 @@
 #include <ostream>
 
 #include "bench/benches.h"
-#include "bench/picture_metrics.h"
+#include "pictures/picture_metrics.h"
 #include "bench/tier_scene.h"
-#include "render/context.h"
-#include "render/renderer.h"
+#include "render/gl/context.h"
+#include "render/frame/renderer.h"
 
 namespace prairie {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/picture_metrics.h"
+#include "pictures/picture_metrics.h"
 #include "lod/camera.h"
-#include "render/renderer.h"
+#include "render/frame/renderer.h"
 #include "world/world.h"
 
 namespace prairie {

@@ -8,7 +8,7 @@
 #include "bench/scale_folder.h"
 #include "bench/timing.h"
 #include "bench/walking_eye.h"
-#include "render/context.h"
+#include "render/gl/context.h"
 
 namespace prairie {
 namespace {

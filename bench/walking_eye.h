@@ -6,7 +6,7 @@
 #include "bench/bench.h"
 #include "bench/scale_scene.h"
 #include "bench/scale_target.h"
-#include "render/renderer.h"
+#include "render/frame/renderer.h"
 
 namespace prairie {
 

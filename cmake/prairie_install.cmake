@@ -1,19 +1,22 @@
-# What an installation holds: the program, its shaders, the libraries with their headers, and what find_package(prairie)
-# needs; nothing of it refers to the sources.
+# What an installation holds: the program, its shaders, the libraries with their headers, and what
+# find_package(prairie) needs; nothing of it refers to the sources.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/prairie)
 
 get_property(rooms GLOBAL PROPERTY PRAIRIE_ROOMS)
-list(REMOVE_ITEM rooms bench)  # part of the program alone
+list(FILTER rooms EXCLUDE REGEX "^(app|bench)")  # parts of the program alone
 list(TRANSFORM rooms PREPEND prairie_ OUTPUT_VARIABLE room_targets)
+list(TRANSFORM room_targets REPLACE / _)
 install(TARGETS prairie RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${room_targets} prairie_kernels EXPORT prairieTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/prairie)
 install(EXPORT prairieTargets NAMESPACE prairie:: DESTINATION ${package_dir})
 
 # Headers include one another as "ROOM/name.h"; the kernels and layouts are part of them.
+list(FILTER rooms EXCLUDE REGEX /)
 foreach(room IN LISTS rooms)
-  install(DIRECTORY ${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prairie/${room} FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY ${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prairie/${room}
+    FILES_MATCHING PATTERN "*.h")
 endforeach()
 foreach(folder shared kernels)
   install(DIRECTORY shaders/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prairie/shaders)
@@ -29,6 +32,7 @@ endforeach()
 
 configure_package_config_file(cmake/prairieConfig.cmake.in ${PROJECT_BINARY_DIR}/prairieConfig.cmake
   INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/prairieConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/prairieConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
 install(FILES cmake/FindOpenImageIO.cmake ${PROJECT_BINARY_DIR}/prairieConfig.cmake
   ${PROJECT_BINARY_DIR}/prairieConfigVersion.cmake DESTINATION ${package_dir})

@@ -1,5 +1,6 @@
-# prairie_room(NAME SOURCES … DEPENDS … PRIVATE_DEPENDS …): one static library per top-level folder, with the flags
-# on which bit-equal results between compilers, optimisation levels and the shaders rest (docs/design.md, D1).
+# prairie_room(NAME SOURCES … DEPENDS … PRIVATE_DEPENDS …): one static library per folder, with the flags on
+# which bit-equal results between compilers, optimisation levels and the shaders rest (docs/design.md, D1).
+# NAME is the folder's, such as render/gl; the target is prairie_render_gl, its alias prairie::render_gl.
 add_library(prairie_flags INTERFACE)
 target_compile_options(prairie_flags INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=double-promotion
@@ -15,10 +16,11 @@ set_property(GLOBAL PROPERTY PRAIRIE_ROOMS "")
 
 function(prairie_room name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-  set(target prairie_${name})
+  string(REPLACE / _ room ${name})
+  set(target prairie_${room})
   add_library(${target} STATIC ${ARG_SOURCES})
-  add_library(prairie::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  add_library(prairie::${room} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string_view>
 
-#include "maps/decimal.h"
+#include "files/decimal.h"
 #include "maps/geotiff_tags.h"
 
 namespace prairie {

@@ -1,5 +1,5 @@
-// Encodes a grid as a float GeoTIFF by libtiff, which unlike OpenImageIO lets one write the tags that place
-// it on Earth.
+#include "maps/geotiff_output.h"
+
 #include <fmt/format.h>
 #include <tiffio.h>
 
@@ -13,9 +13,8 @@
 #include <memory>
 #include <string>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/geotiff_tags.h"
-#include "maps/image_output.h"
 
 namespace prairie {
 namespace {

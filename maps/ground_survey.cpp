@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

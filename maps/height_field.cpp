@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "maps/catmull_rom.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/ground_survey.h"
 #include "maps/height_bounds.h"
 #include "maps/nodata_fill.h"

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/map_file.h"
 #include "maps/raster_file.h"
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "maps/cached_raster.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/geo_tags.h"
-#include "maps/input_file.h"
+#include "files/input_file.h"
 #include "maps/map_channels.h"
 #include "maps/map_placement.h"
 #include "maps/raster_file.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/geotiff_tags.h"
 #include "maps/world_file.h"
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "maps/eager_formats.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/exr_header.h"
-#include "maps/quiet_stderr.h"
+#include "files/quiet_stderr.h"
 
 namespace prairie {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "maps/csv_table.h"
-#include "maps/error.h"
+#include "files/csv_table.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

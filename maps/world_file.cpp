@@ -8,8 +8,8 @@
 #include <system_error>
 #include <vector>
 
-#include "maps/decimal.h"
-#include "maps/error.h"
+#include "files/decimal.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -1,6 +1,6 @@
 #include "world/foreign_check.h"
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "world/placed_map.h"
 
 namespace prairie {

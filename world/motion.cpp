@@ -9,7 +9,7 @@
 #include "animation/blade_checks.h"
 #include "animation/range_check.h"
 #include "animation/tread_checks.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "shaders/shared/layouts.h"
 #include "world/scene_wind.h"
 

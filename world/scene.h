@@ -21,7 +21,7 @@
 #include "animation/wind_primitives.h"
 #include "generator/species.h"
 #include "lod/quality.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/map_file.h"
 
 namespace prairie {

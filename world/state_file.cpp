@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "maps/error.h"
-#include "world/little_endian.h"
+#include "files/error.h"
+#include "files/little_endian.h"
 
 namespace prairie {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "world/color_text.h"
-#include "world/suggestion.h"
+#include "files/suggestion.h"
 
 namespace prairie {
 namespace {

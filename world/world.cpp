@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "maps/error.h"
-#include "maps/input_file.h"
+#include "files/error.h"
+#include "files/input_file.h"
 #include "world/camera_placement.h"
 #include "world/effort.h"
 #include "world/scene_hash.h"

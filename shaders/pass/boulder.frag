@@ -1,12 +1,12 @@
 #version 450 core
-// The surface of a boulder (shaders/pass/stone.glsl), in the light of sun, sky and the sward around. Alpha is
+// The surface of a boulder (shaders/lib/stone.glsl), in the light of sun, sky and the sward around. Alpha is
 // the cover, and no grass grows on it.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/solid_table.glsl"
-#include "shaders/pass/solid_light.glsl"
-#include "shaders/pass/stone_look.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/solid_table.glsl"
+#include "shaders/lib/solid_light.glsl"
+#include "shaders/lib/stone_look.glsl"
 
 layout(location = 0) in vec3 on_map;
 layout(location = 1) in vec4 haze_color_and_share;

@@ -3,12 +3,12 @@
 // that what treads the grass as a sphere is nowhere drawn outside it. What a software renderer would be slow
 // to find for every pixel is found here: light in the axes of the stones' maps, haze, and what of the sky the
 // sward leaves.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/solid_table.glsl"
-#include "shaders/pass/solid_light.glsl"
-#include "shaders/pass/stone_look.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/solid_table.glsl"
+#include "shaders/lib/solid_light.glsl"
+#include "shaders/lib/stone_look.glsl"
 
 layout(location = 0) uniform uint first_solid;
 

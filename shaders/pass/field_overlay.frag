@@ -2,8 +2,8 @@
 // Colours of the field overlays: the wind from blue over yellow to red; heat from yellow over red to violet;
 // recovery from green, nearly risen, to red, and worn ground blue. Unlit: a colour means the same in any
 // light.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 layout(location = 0) uniform float shown;
 

@@ -1,8 +1,8 @@
 #version 450 core
-// A vertex of an arrow of the wind, or of a square of heat on the ground (render/field_overlay.h).
-#include "shaders/pass/layouts.glsl"
+// A vertex of an arrow of the wind, or of a square of heat on the ground (render/overlays/field_overlay.h).
+#include "shaders/lib/layouts.glsl"
 #include "shaders/shared/field_overlay.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 layout(location = 0) out vec3 from_eye_m;
 layout(location = 1) out float heat;

@@ -1,20 +1,20 @@
 #version 450 core
 // The flat tier (G03 §3.5): the floor between blades, and the sward's look from afar
-// (render/sward_response.h) as far as the tiers above do not show it: what blades and strips leave uncovered
+// (lod/sward/sward_response.h) as far as the tiers above do not show it: what blades and strips leave uncovered
 // of the cover that all blades would have. Alpha holds that cover.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 vec4 table_texel(uint texel) {
   return vec4(0.0f);
 }
-#include "shaders/pass/kernels.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/tint.glsl"
-#include "shaders/pass/value_noise.glsl"
-#include "shaders/pass/litter.glsl"
+#include "shaders/lib/kernels.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/tint.glsl"
+#include "shaders/lib/value_noise.glsl"
+#include "shaders/lib/litter.glsl"
 
-#include "shaders/pass/flat_map.glsl"
+#include "shaders/lib/flat_map.glsl"
 #include "shaders/shared/tile_morphs.glsl"
 
 layout(binding = 1) uniform sampler2D tile_morphs;

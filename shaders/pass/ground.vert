@@ -2,18 +2,18 @@
 // A vertex of the ground mesh. Positions are relative to an anchor, whole multiples of the finest quad in x
 // and y, so that two patches compute the vertices of their common edge alike, bit for bit. What changes
 // slowly over the ground (the sward's look from here, haze) is found here rather than for every pixel.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 vec4 table_texel(uint texel) {
   return vec4(0.0f);
 }
-#include "shaders/pass/kernels.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/sward_look.glsl"
-#include "shaders/pass/flat_map.glsl"
+#include "shaders/lib/kernels.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/sward_look.glsl"
+#include "shaders/lib/flat_map.glsl"
 
 #if defined(MOVING) || defined(CONDITIONED)
-#include "shaders/pass/moving_fields.glsl"
+#include "shaders/lib/moving_fields.glsl"
 #endif
 
 struct PatchParams {

@@ -10,17 +10,17 @@
 #ifdef MOVING
 #define SWAYING_BLADES
 #endif
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/planting.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/sward_look.glsl"
-#include "shaders/pass/tint.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/planting.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/sward_look.glsl"
+#include "shaders/lib/tint.glsl"
 #if defined(MOVING) || defined(CONDITIONED)
-#include "shaders/pass/moving_fields.glsl"
+#include "shaders/lib/moving_fields.glsl"
 #endif
 #ifdef TOUCHED
-#include "shaders/pass/touched_blades.glsl"
+#include "shaders/lib/touched_blades.glsl"
 #endif
 
 layout(std430, binding = 4) writeonly buffer GrownVertices {

@@ -1,7 +1,7 @@
 #version 450 core
 // The colour of a line over the picture. Unlit: a colour means the same in any light.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 layout(location = 0) uniform float shown;
 layout(location = 2) uniform float half_width_px;

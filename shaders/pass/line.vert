@@ -1,9 +1,9 @@
 #version 450 core
-// A corner of a line's strip on the screen (render/line_pass.h): what lies before the near plane is cut off,
+// A corner of a line's strip on the screen (render/overlays/line_pass.h): what lies before the near plane is cut off,
 // and half the width and half a pixel more, over which the edge fades, are laid to each side.
-#include "shaders/pass/layouts.glsl"
+#include "shaders/lib/layouts.glsl"
 #include "shaders/shared/line.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 layout(std430, binding = 5) readonly buffer Lines {
   LineParams lines[];

@@ -2,10 +2,10 @@
 // The surface of what stands in the meadow, from its layer of the painted textures
 // (pass/obstacle_texture.frag), in the light of sun, sky and the sward around. Alpha is the cover, and no
 // grass grows on it.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/sward_light.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/sward_light.glsl"
 
 layout(binding = 1) uniform sampler2DArray obstacle_albedo;
 layout(binding = 2) uniform sampler2DArray obstacle_surface;

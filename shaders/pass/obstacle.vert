@@ -1,9 +1,9 @@
 #version 450 core
-// A vertex of what stands in the meadow (render/obstacle_mesh.h). Haze is found here, for a software renderer
+// A vertex of what stands in the meadow (render/things/shapes/obstacle_mesh.h). Haze is found here, for a software renderer
 // would be slow to find it for every pixel.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/haze.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/haze.glsl"
 
 layout(location = 0) uniform vec3 origin_from_eye_m;
 

@@ -1,7 +1,7 @@
 #version 450 core
 // Paints a layer of the textures in which what stands in the meadow finds its look
-// (render/obstacle_texture.h).
-#include "shaders/pass/obstacle_surface.glsl"
+// (render/things/obstacle_texture.h).
+#include "shaders/lib/obstacle_surface.glsl"
 
 layout(location = 0) uniform float texels;  // along a side
 layout(location = 1) uniform

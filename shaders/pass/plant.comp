@@ -1,7 +1,7 @@
 #version 450 core
 // Plants blades and stores them as they are: what the CPU's plant_cell writes, for tests and measurements.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/planting.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/planting.glsl"
 
 layout(std430, binding = 4) writeonly buffer Blades {
   uvec4 blade_texels[];

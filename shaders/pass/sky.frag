@@ -1,8 +1,8 @@
 #version 450 core
 // The sky behind everything: a gradient from zenith to horizon, the sun's glow, a few clouds
 // (shaders/pass/sky_map.frag).
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 layout(binding = 0) uniform sampler2D sky_map;
 layout(location = 0) uniform mat3 scene_from_view;  // columns: right · aspect · tan, up · tan, forward

@@ -1,14 +1,14 @@
 #version 450 core
 // The sky's upper half as a map in which a direction lies at direction.xy / (1 + direction.z): made once per
 // light, read by shaders/pass/sky.frag for every pixel of every frame.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 vec4 table_texel(uint texel) {
   return vec4(0.0f);
 }
-#include "shaders/pass/kernels.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/value_noise.glsl"
+#include "shaders/lib/kernels.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/value_noise.glsl"
 
 layout(location = 0) in vec2 clip_xy;
 layout(location = 0) out vec4 color;

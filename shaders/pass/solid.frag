@@ -1,12 +1,12 @@
 #version 450 core
 // The surface of BOARDS or a WHEEL, each a program of its own, for a software renderer walks through all
 // branches. Alpha is the cover, and no grass grows on it.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/solid_table.glsl"
-#include "shaders/pass/solid_light.glsl"
-#include "shaders/pass/carpentry.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/solid_table.glsl"
+#include "shaders/lib/solid_light.glsl"
+#include "shaders/lib/carpentry.glsl"
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 in_body_m;

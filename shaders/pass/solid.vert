@@ -1,8 +1,8 @@
 #version 450 core
 // A vertex of something made of wood: of the mesh that all of its shape share, put where the thing is.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/solid_table.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/solid_table.glsl"
 
 layout(location = 0) uniform uint first_solid;
 

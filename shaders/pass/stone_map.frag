@@ -1,7 +1,7 @@
 #version 450 core
-// Paints the maps in which all stones find their look (render/stone_map.h).
-#include "shaders/pass/stone.glsl"
-#include "shaders/pass/octahedral.glsl"
+// Paints the maps in which all stones find their look (render/things/stone_map.h).
+#include "shaders/lib/stone.glsl"
+#include "shaders/lib/octahedral.glsl"
 
 layout(location = 0) uniform float texels;  // along a side
 layout(location = 1) uniform vec3 mean_albedo;

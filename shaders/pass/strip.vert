@@ -1,7 +1,7 @@
 #version 450 core
 // A vertex of a strip (shaders/pass/strips.comp).
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 layout(location = 0) in vec3 position_m;
 layout(location = 1) in vec3 vertex_radiance;

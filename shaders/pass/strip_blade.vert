@@ -1,7 +1,7 @@
 #version 450 core
 // A vertex of a blade on its way into the strips' texture: seen from the side, blades of low rank in front.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 
 layout(location = 0) uniform uint vertices_per_blade;
 layout(location = 1) uniform float blades;

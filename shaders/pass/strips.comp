@@ -3,26 +3,26 @@
 // column of a strip. Strips of both tiles of an edge coincide, each grown by its own tile's morph.
 //
 // Deviation: a strip has no light of its own. It is painted in the mean colour that the tile's blades would
-// show from here (render/sward_response.h); its texture holds what single blades differ from that by.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
+// show from here (lod/sward/sward_response.h); its texture holds what single blades differ from that by.
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
 layout(local_size_x = kPlantingGroup) in;
 
 vec4 table_texel(uint texel) {
   return vec4(0.0f);
 }
-#include "shaders/pass/kernels.glsl"
-#include "shaders/pass/species.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/sward_look.glsl"
-#include "shaders/pass/tint.glsl"
-#include "shaders/pass/litter.glsl"
+#include "shaders/lib/kernels.glsl"
+#include "shaders/lib/species.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/sward_look.glsl"
+#include "shaders/lib/tint.glsl"
+#include "shaders/lib/litter.glsl"
 #if defined(MOVING) || defined(CONDITIONED)
-#include "shaders/pass/moving_fields.glsl"
+#include "shaders/lib/moving_fields.glsl"
 #endif
 
 layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
-layout(binding = 1) uniform samplerBuffer strip_traits;  // StripTraits (render/strip_pass.h), by species
+layout(binding = 1) uniform samplerBuffer strip_traits;  // StripTraits (render/grass/strip_pass.h), by species
 layout(std430, binding = 4) writeonly buffer StripVertices {
   uvec4 vertices[];
 };  // StripVertex

@@ -1,11 +1,11 @@
 #version 450 core
 // The surface of a walker. Alpha is the cover, and no grass grows on it.
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/haze.glsl"
-#include "shaders/pass/walker_table.glsl"
-#include "shaders/pass/sward_light.glsl"
-#include "shaders/pass/walker_look.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/haze.glsl"
+#include "shaders/lib/walker_table.glsl"
+#include "shaders/lib/sward_light.glsl"
+#include "shaders/lib/walker_look.glsl"
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 normal;

@@ -1,8 +1,8 @@
 #version 450 core
 // A vertex of a walker: of the figure that all share, carried by two bones at most (linear blending).
-#include "shaders/pass/layouts.glsl"
-#include "shaders/pass/frame_block.glsl"
-#include "shaders/pass/walker_table.glsl"
+#include "shaders/lib/layouts.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/walker_table.glsl"
 
 layout(location = 0) uniform uint first_walker;
 

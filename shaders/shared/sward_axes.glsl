@@ -1,4 +1,4 @@
-// The axes of the tables of a sward's look (render/sward_response.h).
+// The axes of the tables of a sward's look (lod/sward/sward_response.h).
 
 const int kSwardElevations = 16;
 const int kSwardAzimuths = 9;

@@ -12,4 +12,4 @@ const int kPlantingGroup = 64;
 // 0.5 + 0.8).
 const float kTallestSpread = 1.3f;
 
-const int kNoiseSide = 128;  // texels of the noise texture (shaders/pass/value_noise.glsl)
+const int kNoiseSide = 128;  // texels of the noise texture (shaders/lib/value_noise.glsl)

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "agents/gait_of_bvh.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "tests/agents/walking_bvh.h"
 
 namespace prairie {

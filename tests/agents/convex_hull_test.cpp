@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "tests/agents/convex_cases.h"
 
 namespace prairie {

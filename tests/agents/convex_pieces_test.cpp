@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "agents/gjk.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "tests/agents/convex_cases.h"
 
 namespace prairie {

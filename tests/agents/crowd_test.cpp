@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "tests/agents/crowd_scene.h"
 
 namespace prairie {

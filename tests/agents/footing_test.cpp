@@ -10,7 +10,7 @@
 
 #include "agents/skeleton.h"
 #include "animation/heading.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "agents/track_files.h"
 #include "agents/track_playback.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "agents/track_playback.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "animation/treading.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <string>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "shaders/kernels/kernels.h"
 
 namespace prairie {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 namespace {

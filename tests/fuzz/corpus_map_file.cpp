@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "maps/image_output.h"
+#include "maps/geotiff_output.h"
 #include "tests/fuzz/corpus.h"
 
 namespace prairie::fuzz {

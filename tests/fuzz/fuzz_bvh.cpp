@@ -5,7 +5,7 @@
 
 #include "agents/bvh.h"
 #include "agents/gait_of_bvh.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/height_field.h"
 #include "maps/map_file.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "maps/decimal.h"
+#include "files/decimal.h"
 #include "maps/world_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

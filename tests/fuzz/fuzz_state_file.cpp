@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "tests/fuzz/state_worlds.h"
 #include "world/state_file.h"
 

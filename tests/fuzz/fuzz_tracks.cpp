@@ -9,7 +9,7 @@
 
 #include "agents/track_files.h"
 #include "agents/track_playback.h"
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace {
 

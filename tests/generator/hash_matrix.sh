@@ -12,13 +12,16 @@ variants=("$@")
 
 # What planting needs, and no more: no image library.
 files=(
-  generator/cell_lattice.cpp generator/cell_table.cpp generator/meadow.cpp generator/plant.cpp generator/plant_cell.cpp generator/tiles.cpp
-  maps/error.cpp maps/filled_heights.cpp maps/ground_survey.cpp maps/height_bounds.cpp maps/height_field.cpp maps/node_grid.cpp
-  maps/node_mask.cpp maps/nodata_fill.cpp
+  files/error.cpp
+  maps/filled_heights.cpp maps/ground_survey.cpp maps/height_bounds.cpp maps/height_field.cpp
+  maps/node_grid.cpp maps/node_mask.cpp maps/nodata_fill.cpp
+  generator/cell_lattice.cpp generator/cell_table.cpp generator/meadow.cpp generator/plant.cpp
+  generator/plant_cell.cpp generator/tiles.cpp
   tests/generator/hashed_meadow.cpp tests/generator/print_hash.cpp
 )
 # As cmake/prairie_room.cmake and shaders/CMakeLists.txt set them.
-flags=(-std=c++20 -ffp-contract=off -fno-math-errno -fno-trapping-math -DGLM_FORCE_XYZW_ONLY "-I$source_folder")
+flags=(-std=c++20 -ffp-contract=off -fno-math-errno -fno-trapping-math -DGLM_FORCE_XYZW_ONLY
+  "-I$source_folder")
 launcher=()
 ! command -v ccache >/dev/null || launcher=(ccache)
 

@@ -14,7 +14,7 @@
 #include "generator/plant_cell.h"
 #include "generator/tiles.h"
 #include "lod/frustum.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "shaders/kernels/kernels.h"
 #include "tests/generator/test_meadow.h"
 

@@ -6,9 +6,9 @@
 #include <random>
 #include <thread>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/height_field.h"
-#include "maps/image_output.h"
+#include "pictures/picture_encoding.h"
 #include "maps/map_file.h"
 #include "tests/maps/test_images.h"
 

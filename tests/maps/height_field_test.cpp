@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "tests/maps/test_images.h"
 
 namespace prairie {

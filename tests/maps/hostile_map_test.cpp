@@ -9,7 +9,7 @@
 #include <limits>
 #include <string_view>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/map_file.h"
 #include "tests/maps/test_images.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/map_file.h"
 #include "tests/maps/test_images.h"
 

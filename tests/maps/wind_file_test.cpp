@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "tests/maps/test_images.h"
 
 namespace prairie {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "maps/decimal.h"
-#include "maps/error.h"
+#include "files/decimal.h"
+#include "files/error.h"
 #include "tests/maps/test_images.h"
 
 namespace prairie {

@@ -1,6 +1,6 @@
 #include "tests/render/headless_test.h"
 
-#include "maps/error.h"
+#include "files/error.h"
 
 namespace prairie {
 

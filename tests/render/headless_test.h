@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "render/context.h"
-#include "render/gl_debug.h"
+#include "render/gl/context.h"
+#include "render/gl/gl_debug.h"
 
 namespace prairie {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "maps/image_output.h"
+#include "maps/geotiff_output.h"
 #include "tests/generator/test_meadow.h"
 
 namespace prairie {

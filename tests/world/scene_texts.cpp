@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "maps/image_output.h"
+#include "maps/geotiff_output.h"
 
 namespace prairie::testing {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/error.h"
+#include "files/error.h"
 #include "maps/map_file.h"
 #include "tests/maps/test_images.h"
 #include "world/world.h"

@@ -12,7 +12,7 @@
 #include <ostream>
 
 #include "tests/world/scene_texts.h"
-#include "world/little_endian.h"
+#include "files/little_endian.h"
 #include "world/world.h"
 
 namespace prairie {

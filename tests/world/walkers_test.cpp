@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "agents/track_files.h"
-#include "maps/error.h"
+#include "files/error.h"
 #include "world/effort.h"
 #include "world/state_file.h"
 #include "world/world.h"

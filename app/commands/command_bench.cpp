@@ -1,0 +1,130 @@
+// `prairie bench`: measurements of this machine, as a table or as JSON.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/commands/commands.h"
+#include "app/terminal/exit_code.h"
+#include "app/scenes/installed_files.h"
+#include "app/terminal/option_values.h"
+#include "app/terminal/usage_error.h"
+#include "bench/bench.h"
+#include "files/error.h"
+#include "render/gl/context.h"
+
+namespace prairie {
+namespace {
+
+struct BenchCommandOptions {
+  std::string prefix;
+  bool json = false;
+  bool details = false;
+  std::string child_folder;  // not empty: this is a bench's own child process, and `prefix` its task
+};
+
+/// "4 × Intel(R) Xeon(R) …".
+std::string machine_name() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  std::string model = "unknown processor";
+  for (std::string line; std::getline(cpuinfo, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      model = line.substr(colon + 2);
+      break;
+    }
+  }
+  return fmt::format("{} × {}", std::thread::hardware_concurrency(), model);
+}
+
+std::string headless_renderer_name(const std::optional<std::string>& device) {
+  try {
+    const HeadlessContext context(device);
+    return renderer_name();
+  } catch (const NoSuitableOpenGl&) {
+    return "none";
+  }
+}
+
+void print_json(const std::vector<Measurement>& measurements, const std::string& machine,
+                const std::string& renderer) {
+  nlohmann::ordered_json json;
+  for (const Measurement& measurement : measurements) {
+    if (measurement.note.empty()) {
+      json[measurement.name] = measurement.value;
+    } else {
+      json[measurement.name] = measurement.note;
+    }
+  }
+  json["machine"] = machine;
+  json["renderer"] = renderer;
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+void print_table(const std::vector<Measurement>& measurements, const std::string& machine,
+                 const std::string& renderer) {
+  std::size_t widest = 0;
+  for (const Measurement& measurement : measurements) widest = std::max(widest, measurement.name.size());
+  for (const Measurement& measurement : measurements) {
+    if (measurement.note.empty()) {
+      fmt::print("{:<{}}  {:>14.6g}\n", measurement.name, widest, measurement.value);
+    } else {
+      fmt::print("{:<{}}  {}\n", measurement.name, widest, measurement.note);
+    }
+  }
+  fmt::print("machine   {}\nrenderer  {}\n", machine, renderer);
+}
+
+/// Lines "NAME VALUE", for the process that started this one.
+int print_for_parent(const std::vector<Measurement>& measurements) {
+  for (const Measurement& measurement : measurements)
+    fmt::print("{} {}\n", measurement.name, measurement.value);
+  return kExitFine;
+}
+
+int measure(const BenchCommandOptions& options, const GlobalOptions& globals) {
+  BenchOptions bench_options;
+  bench_options.device = globals.device;
+  bench_options.shader_folder = shader_folder();
+  if (options.details) bench_options.details = &std::cerr;
+  if (!options.child_folder.empty()) {
+    return print_for_parent(run_bench_child(options.prefix, options.child_folder, bench_options));
+  }
+  if (chosen_bench_names(options.prefix).empty()) {
+    const std::vector<std::string> names = bench_names();
+    throw UsageError("NAME", options.prefix + did_you_mean(options.prefix, names),
+                     fmt::format("the beginning of one of {}", fmt::join(names, ", ")));
+  }
+  const std::vector<Measurement> measurements = run_benches(options.prefix, bench_options);
+  const auto print = options.json ? print_json : print_table;
+  print(measurements, machine_name(), headless_renderer_name(globals.device));
+  return kExitFine;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
+  CLI::App* command = app.add_subcommand("bench", "Measures this machine, in about two minutes");
+  auto options = std::make_shared<BenchCommandOptions>();
+  command
+      ->add_option("NAME", options->prefix,
+                   "The beginning of the keys to measure (all but those that take minutes)")
+      ->type_name("");
+  command->add_flag("--json", options->json, "Print one flat JSON object");
+  command->add_flag("--details", options->details, "Tell of single cases on stderr");
+  command->add_option("--child", options->child_folder)->group("");  // for its own child processes
+  command->footer(
+      "Examples:\n"
+      "  prairie bench\n"
+      "  prairie bench scale.frame --details\n"
+      "  prairie bench planting --json");
+  command->callback(
+      [options, &globals, &chosen] { chosen = [options, &globals] { return measure(*options, globals); }; });
+}
+
+}  // namespace prairie

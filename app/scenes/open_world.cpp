@@ -1,0 +1,22 @@
+#include "app/scenes/open_world.h"
+
+#include <utility>
+
+#include "app/terminal/messages.h"
+
+namespace prairie {
+
+World open_world(const std::filesystem::path& folder, const GlobalOptions& globals,
+                 std::optional<Gait> gait) {
+  WorldOptions options;
+  options.gait = std::move(gait);
+  options.seed = globals.seed;
+  options.memory_budget_bytes = globals.max_memory_bytes;
+  World world(read_scene(folder, globals.overrides), options);
+  if (!globals.quiet) {
+    for (const std::string& warning : world.warnings()) say_warning(warning);
+  }
+  return world;
+}
+
+}  // namespace prairie

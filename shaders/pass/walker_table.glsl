@@ -1,6 +1,0 @@
-// The walkers of a frame (render/walker_pass.h).
-#include "shaders/shared/walker.glsl"
-
-layout(std430, binding = 5) readonly buffer WalkerTable {
-  WalkerParams walkers[];
-};
