@@ -10,8 +10,8 @@
 
 #include "animation/blade_checks.h"
 #include "animation/contact.h"
-#include "generator/plant_cell.h"
 #include "files/error.h"
+#include "generator/plant_cell.h"
 
 namespace prairie {
 namespace {

@@ -19,8 +19,8 @@
 #include "bench/scale_scene.h"
 #include "bench/scale_target.h"
 #include "files/error.h"
-#include "render/gl/context.h"
 #include "render/frame/renderer.h"
+#include "render/gl/context.h"
 
 extern char** environ;
 

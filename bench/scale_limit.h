@@ -8,9 +8,9 @@
 #include "bench/scale_target.h"
 #include "lod/camera.h"
 #include "lod/planner.h"
-#include "render/grass/blade_pass.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/stream_buffer.h"
+#include "render/grass/blade_pass.h"
 #include "render/grass/sward_tables.h"
 #include "world/world.h"
 

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "bench/benches.h"
-#include "pictures/flip.h"
 #include "bench/scale_folder.h"
 #include "bench/scale_scene.h"
-#include "render/gl/context.h"
+#include "pictures/flip.h"
 #include "render/frame/renderer.h"
+#include "render/gl/context.h"
 
 namespace prairie {
 namespace {

@@ -10,8 +10,8 @@
 #include "bench/benches.h"
 #include "bench/scale_target.h"
 #include "bench/timing.h"
-#include "render/gl/context.h"
 #include "render/frame/renderer.h"
+#include "render/gl/context.h"
 
 namespace prairie {
 namespace {

@@ -6,10 +6,10 @@
 #include <ostream>
 
 #include "bench/benches.h"
-#include "pictures/picture_metrics.h"
 #include "bench/tier_scene.h"
-#include "render/gl/context.h"
+#include "pictures/picture_metrics.h"
 #include "render/frame/renderer.h"
+#include "render/gl/context.h"
 
 namespace prairie {
 namespace {

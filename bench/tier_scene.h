@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pictures/picture_metrics.h"
 #include "lod/camera.h"
+#include "pictures/picture_metrics.h"
 #include "render/frame/renderer.h"
 #include "world/world.h"
 

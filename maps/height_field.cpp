@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "maps/catmull_rom.h"
 #include "files/error.h"
+#include "maps/catmull_rom.h"
 #include "maps/ground_survey.h"
 #include "maps/height_bounds.h"
 #include "maps/nodata_fill.h"

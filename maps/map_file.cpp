@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "maps/cached_raster.h"
 #include "files/error.h"
-#include "maps/geo_tags.h"
 #include "files/input_file.h"
+#include "maps/cached_raster.h"
+#include "maps/geo_tags.h"
 #include "maps/map_channels.h"
 #include "maps/map_placement.h"
 #include "maps/raster_file.h"

@@ -6,10 +6,10 @@
 #include <exception>
 #include <utility>
 
-#include "maps/eager_formats.h"
 #include "files/error.h"
-#include "maps/exr_header.h"
 #include "files/quiet_stderr.h"
+#include "maps/eager_formats.h"
+#include "maps/exr_header.h"
 
 namespace prairie {
 namespace {

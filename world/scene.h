@@ -19,9 +19,9 @@
 #include "animation/condition.h"
 #include "animation/tread_node.h"
 #include "animation/wind_primitives.h"
+#include "files/error.h"
 #include "generator/species.h"
 #include "lod/quality.h"
-#include "files/error.h"
 #include "maps/map_file.h"
 
 namespace prairie {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "files/error.h"
-#include "world/color_text.h"
 #include "files/suggestion.h"
+#include "world/color_text.h"
 
 namespace prairie {
 namespace {

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "app/commands/commands.h"
-#include "app/terminal/exit_code.h"
 #include "app/scenes/installed_files.h"
+#include "app/terminal/exit_code.h"
 #include "app/terminal/option_values.h"
 #include "app/terminal/usage_error.h"
 #include "bench/bench.h"

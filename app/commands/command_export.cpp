@@ -4,25 +4,25 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/scenes/chosen_tiles.h"
 #include "app/commands/commands.h"
-#include "app/terminal/exit_code.h"
+#include "app/commands/picture_options.h"
+#include "app/commands/state_options.h"
 #include "app/outputs/export_manifest.h"
-#include "app/scenes/installed_files.h"
-#include "app/terminal/messages.h"
-#include "app/scenes/open_world.h"
-#include "app/terminal/option_values.h"
 #include "app/outputs/outputs.h"
 #include "app/outputs/picture_file.h"
-#include "app/commands/picture_options.h"
-#include "app/terminal/progress.h"
-#include "files/sha256.h"
-#include "app/commands/state_options.h"
+#include "app/scenes/chosen_tiles.h"
+#include "app/scenes/installed_files.h"
+#include "app/scenes/open_world.h"
 #include "app/scenes/tile_views.h"
 #include "app/scenes/world_time.h"
+#include "app/terminal/exit_code.h"
+#include "app/terminal/messages.h"
+#include "app/terminal/option_values.h"
+#include "app/terminal/progress.h"
+#include "files/sha256.h"
 #include "generator/plant.h"
-#include "render/gl/context.h"
 #include "render/frame/renderer.h"
+#include "render/gl/context.h"
 
 namespace prairie {
 namespace {

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "app/commands/commands.h"
-#include "app/terminal/exit_code.h"
 #include "app/scenes/info.h"
 #include "app/scenes/open_world.h"
+#include "app/terminal/exit_code.h"
 
 namespace prairie {
 namespace {

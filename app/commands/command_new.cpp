@@ -4,8 +4,8 @@
 
 #include "agents/crowd_spec.h"
 #include "app/commands/commands.h"
-#include "app/terminal/messages.h"
 #include "app/scenes/new_scene.h"
+#include "app/terminal/messages.h"
 #include "app/terminal/option_values.h"
 #include "app/terminal/usage_error.h"
 

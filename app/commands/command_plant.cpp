@@ -8,16 +8,16 @@
 
 #include <memory>
 
-#include "app/outputs/blade_table.h"
-#include "app/scenes/chosen_tiles.h"
 #include "app/commands/commands.h"
+#include "app/outputs/blade_table.h"
+#include "app/outputs/outputs.h"
+#include "app/outputs/streamed_output.h"
+#include "app/scenes/chosen_tiles.h"
+#include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
-#include "app/scenes/open_world.h"
 #include "app/terminal/option_values.h"
-#include "app/outputs/outputs.h"
 #include "app/terminal/progress.h"
-#include "app/outputs/streamed_output.h"
 #include "app/terminal/usage_error.h"
 #include "generator/plant.h"
 

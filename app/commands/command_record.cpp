@@ -6,21 +6,21 @@
 #include <memory>
 #include <optional>
 
+#include "app/commands/commands.h"
+#include "app/commands/picture_options.h"
+#include "app/commands/state_options.h"
+#include "app/outputs/clip.h"
+#include "app/outputs/picture_file.h"
+#include "app/outputs/recording.h"
 #include "app/scenes/camera_option.h"
 #include "app/scenes/camera_path.h"
-#include "app/outputs/clip.h"
-#include "app/commands/commands.h"
+#include "app/scenes/open_world.h"
+#include "app/scenes/world_time.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
-#include "app/scenes/open_world.h"
 #include "app/terminal/option_values.h"
-#include "app/outputs/picture_file.h"
-#include "app/commands/picture_options.h"
 #include "app/terminal/progress.h"
-#include "app/outputs/recording.h"
-#include "app/commands/state_options.h"
 #include "app/terminal/usage_error.h"
-#include "app/scenes/world_time.h"
 
 namespace prairie {
 namespace {

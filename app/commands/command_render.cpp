@@ -3,20 +3,20 @@
 
 #include <memory>
 
-#include "app/scenes/camera_option.h"
 #include "app/commands/commands.h"
-#include "app/terminal/exit_code.h"
-#include "app/scenes/installed_files.h"
-#include "app/terminal/messages.h"
-#include "app/scenes/open_world.h"
-#include "app/terminal/option_values.h"
-#include "app/outputs/outputs.h"
-#include "app/outputs/picture_file.h"
 #include "app/commands/picture_options.h"
 #include "app/commands/state_options.h"
+#include "app/outputs/outputs.h"
+#include "app/outputs/picture_file.h"
+#include "app/scenes/camera_option.h"
+#include "app/scenes/installed_files.h"
+#include "app/scenes/open_world.h"
 #include "app/scenes/world_time.h"
-#include "render/gl/context.h"
+#include "app/terminal/exit_code.h"
+#include "app/terminal/messages.h"
+#include "app/terminal/option_values.h"
 #include "render/frame/renderer.h"
+#include "render/gl/context.h"
 
 namespace prairie {
 namespace {

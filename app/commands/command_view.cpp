@@ -1,10 +1,10 @@
 // `prairie view`: the command line of app/viewer/view.h.
 #include <memory>
 
-#include "app/scenes/camera_option.h"
 #include "app/commands/commands.h"
-#include "app/terminal/exit_code.h"
+#include "app/scenes/camera_option.h"
 #include "app/scenes/open_world.h"
+#include "app/terminal/exit_code.h"
 #include "app/terminal/option_values.h"
 #include "app/viewer/view.h"
 

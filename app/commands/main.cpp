@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "app/commands/command_line.h"
+#include "app/commands/kept_memory.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/interruption.h"
-#include "app/commands/kept_memory.h"
 #include "app/terminal/messages.h"
 #include "app/terminal/usage_error.h"
 #include "files/error.h"

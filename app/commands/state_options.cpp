@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "app/terminal/option_values.h"
 #include "app/outputs/outputs.h"
-#include "app/terminal/usage_error.h"
 #include "app/scenes/world_time.h"
+#include "app/terminal/option_values.h"
+#include "app/terminal/usage_error.h"
 #include "files/input_file.h"
 #include "world/state_file.h"
 

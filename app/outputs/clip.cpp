@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/terminal/messages.h"
 #include "app/outputs/outputs.h"
 #include "app/outputs/picture_file.h"
+#include "app/terminal/messages.h"
 #include "app/terminal/usage_error.h"
 
 namespace prairie {

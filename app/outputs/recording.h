@@ -4,12 +4,12 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "app/scenes/camera_path.h"
 #include "app/outputs/clip.h"
+#include "app/scenes/camera_path.h"
 #include "app/terminal/global_options.h"
 #include "lod/camera.h"
-#include "render/gl/context.h"
 #include "render/frame/renderer.h"
+#include "render/gl/context.h"
 #include "world/world.h"
 
 namespace prairie {

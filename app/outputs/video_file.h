@@ -8,9 +8,9 @@
 #include <optional>
 #include <span>
 
-#include "files/file_descriptor.h"
-#include "app/terminal/interruption.h"
 #include "app/outputs/streamed_output.h"
+#include "app/terminal/interruption.h"
+#include "files/file_descriptor.h"
 
 namespace prairie {
 

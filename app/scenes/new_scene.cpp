@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/terminal/interruption.h"
-#include "files/mapped_file.h"
 #include "app/scenes/new_scene_text.h"
+#include "app/terminal/interruption.h"
 #include "app/terminal/usage_error.h"
 #include "files/atomic_file.h"
+#include "files/mapped_file.h"
 #include "maps/geotiff_output.h"
-#include "pictures/picture_encoding.h"
 #include "maps/world_file.h"
+#include "pictures/picture_encoding.h"
 #include "world/example_meadow.h"
 #include "world/world.h"
 

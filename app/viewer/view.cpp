@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/frame_keys.h"
-#include "app/viewer/frame_times.h"
+#include "app/outputs/outputs.h"
+#include "app/outputs/picture_file.h"
 #include "app/scenes/installed_files.h"
 #include "app/terminal/messages.h"
 #include "app/terminal/option_values.h"
-#include "app/outputs/outputs.h"
+#include "app/viewer/frame_keys.h"
+#include "app/viewer/frame_times.h"
 #include "app/viewer/overlay.h"
-#include "app/outputs/picture_file.h"
 #include "app/viewer/play.h"
 #include "app/viewer/screenshot_name.h"
 #include "app/viewer/walker_camera.h"
@@ -27,8 +27,8 @@
 #include "app/viewer/walker_trails.h"
 #include "app/viewer/window.h"
 #include "files/error.h"
-#include "render/gl/graphics_reset.h"
 #include "render/frame/renderer.h"
+#include "render/gl/graphics_reset.h"
 
 namespace prairie {
 namespace {

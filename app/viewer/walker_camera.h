@@ -1,5 +1,5 @@
-// The viewer's camera where somebody walks: free (app/viewer/fly_camera.h), behind a walker, or turning about it.
-// Knows nothing of windows.
+// The viewer's camera where somebody walks: free (app/viewer/fly_camera.h), behind a walker, or turning about
+// it. Knows nothing of windows.
 //
 // Bound to a walker it looks at the walker's chest from a distance, heading and pitch of its own; all of them
 // approach what is wanted exponentially, so that it glides from wherever it was and never jumps. The ground

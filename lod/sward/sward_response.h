@@ -5,7 +5,8 @@
 // Neither paper says how to find that colour. Here the sward is a Poisson canopy (Nilson 1971): leaf area
 // thrown at random at every height, so that of what stands at height z one sees e^(−τ(z)), with τ the leaf
 // area above z, projected along the view, per ground area seen. What stands at each height and how it is lit
-// comes from sample blades (lod/sward/sward_sample.h), turned, widened and lit as shaders/pass/grow.comp does.
+// comes from sample blades (lod/sward/sward_sample.h), turned, widened and lit as shaders/pass/grow.comp
+// does.
 //
 //   leaf_area = Σ density · Layer::blade_area_m2                        m² of leaf per m² of ground
 //   τ         = leaf_area · G(θ) / sin θ          θ: the view's elevation above the ground's plane
@@ -17,8 +18,9 @@
 // viewer's back, π looking towards it.
 //
 // Tufts need no correction: against planted blades, 100 to 2500 per m², seen ray by ray from 1° to 90°,
-// colour is off by 4 % at most and 1 % on average, cover by 0.012 (tests/render/grass/sward_response_test.cpp).
-// Blades have 16 segments there; coarser meshes keep their area and light (shaders/kernels/blade_mesh.glsl).
+// colour is off by 4 % at most and 1 % on average, cover by 0.012
+// (tests/render/grass/sward_response_test.cpp). Blades have 16 segments there; coarser meshes keep their area
+// and light (shaders/kernels/blade_mesh.glsl).
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
-// Sample blades of a species, cut into elements: what lod/sward/sward_response.h sums over. Blades are planted
-// and posed by the kernels, on level ground. Taller ones are taken more often and count less, because seen at
-// grazing angles a sward shows nothing but its tallest blades; each is turned about the vertical so that the
-// tips of all point evenly all round.
+// Sample blades of a species, cut into elements: what lod/sward/sward_response.h sums over. Blades are
+// planted and posed by the kernels, on level ground. Taller ones are taken more often and count less, because
+// seen at grazing angles a sward shows nothing but its tallest blades; each is turned about the vertical so
+// that the tips of all point evenly all round.
 #pragma once
 
 #include <array>

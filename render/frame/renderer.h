@@ -17,9 +17,9 @@
 #include "lod/camera.h"
 #include "lod/frame_plan.h"
 #include "lod/quality.h"
+#include "render/gl/stage_time.h"
 #include "render/overlays/field_overlay.h"
 #include "render/overlays/line_segment.h"
-#include "render/gl/stage_time.h"
 #include "render/things/walker_look.h"
 #include "world/world.h"
 
@@ -64,14 +64,15 @@ struct Picture {
 
 class Renderer {
  public:
-  /// `shader_folder`: where shaders/ was installed (see app/scenes/installed_files.h). Throws NoSuitableOpenGl,
-  /// BadInput.
+  /// `shader_folder`: where shaders/ was installed (see app/scenes/installed_files.h). Throws
+  /// NoSuitableOpenGl, BadInput.
   Renderer(const World& world, const std::filesystem::path& shader_folder);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// What stands in the meadow from now on. Throws NoSuitableOpenGl, BadInput (render/things/obstacle_pass.h).
+  /// What stands in the meadow from now on. Throws NoSuitableOpenGl, BadInput
+  /// (render/things/obstacle_pass.h).
   void stand(const StandingThings& things);
 
   /// What is done while a frame is drawn: once all that time moves has been read, it runs beside the drawing

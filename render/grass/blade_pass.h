@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lod/frame_plan.h"
-#include "render/grass/compute_batch.h"
 #include "render/gl/gl_objects.h"
-#include "render/grass/moving_program.h"
 #include "render/gl/stream_buffer.h"
+#include "render/grass/compute_batch.h"
+#include "render/grass/moving_program.h"
 #include "render/grass/touched_chains.h"
 #include "world/world.h"
 

@@ -11,8 +11,8 @@
 
 #include "lod/frame_plan.h"
 #include "render/gl/gl_objects.h"
-#include "render/light/light.h"
 #include "render/grass/moving_program.h"
+#include "render/light/light.h"
 #include "world/world.h"
 
 namespace prairie {

@@ -4,9 +4,9 @@
 #include <bit>
 
 #include "generator/cell_table.h"
+#include "lod/sward/strip_texture.h"
 #include "lod/thinning.h"
 #include "render/gl/shader_program.h"
-#include "lod/sward/strip_texture.h"
 
 namespace prairie {
 namespace {

@@ -1,14 +1,14 @@
-// Draws the strips' texture (lod/sward/strip_texture.h) with the renderer's own blades, on level ground in the
-// scene's light.
+// Draws the strips' texture (lod/sward/strip_texture.h) with the renderer's own blades, on level ground in
+// the scene's light.
 #pragma once
 
 #include <filesystem>
 #include <span>
 #include <vector>
 
-#include "render/grass/blade_pass.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/stream_buffer.h"
+#include "render/grass/blade_pass.h"
 #include "render/grass/strip_pass.h"
 #include "world/world.h"
 

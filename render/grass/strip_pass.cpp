@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "render/grass/compute_batch.h"
 #include "render/gl/shader_program.h"
+#include "render/grass/compute_batch.h"
 
 namespace prairie {
 namespace {

@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "lod/frame_plan.h"
+#include "lod/sward/tip_share.h"
 #include "render/gl/gl_objects.h"
-#include "render/grass/moving_program.h"
 #include "render/gl/stream_buffer.h"
 #include "render/gl/texel_view.h"
-#include "lod/sward/tip_share.h"
+#include "render/grass/moving_program.h"
 
 namespace prairie {
 

@@ -1,15 +1,15 @@
-// Draws fields over the picture (render/overlays/field_overlay.h). What grass and solids hide of them shows faintly
-// through: in a sward little of the ground can be seen. The shaders are compiled when an overlay is first
-// asked for.
+// Draws fields over the picture (render/overlays/field_overlay.h). What grass and solids hide of them shows
+// faintly through: in a sward little of the ground can be seen. The shaders are compiled when an overlay is
+// first asked for.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <filesystem>
 
-#include "render/overlays/field_overlay.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/stream_buffer.h"
+#include "render/overlays/field_overlay.h"
 
 namespace prairie {
 

@@ -1,6 +1,6 @@
 // Draws straight lines over the picture, of the same width in pixels at any distance. What grass and solids
-// hide of them shows faintly through, as in render/overlays/field_overlay_pass.h. The shaders are compiled when there
-// is first a line to draw.
+// hide of them shows faintly through, as in render/overlays/field_overlay_pass.h. The shaders are compiled
+// when there is first a line to draw.
 //
 // Each line is a strip of two triangles, all of them in one draw without instances, which costs a software
 // renderer the least; lines that are out of sight never reach the device.
@@ -12,8 +12,8 @@
 
 #include "lod/camera.h"
 #include "render/gl/gl_objects.h"
-#include "render/overlays/line_segment.h"
 #include "render/gl/stream_buffer.h"
+#include "render/overlays/line_segment.h"
 
 namespace prairie {
 

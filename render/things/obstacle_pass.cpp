@@ -13,9 +13,9 @@
 
 #include "lod/frustum.h"
 #include "render/gl/gl_objects.h"
-#include "render/things/shapes/obstacle_mesh.h"
-#include "render/things/obstacle_texture.h"
 #include "render/gl/shader_program.h"
+#include "render/things/obstacle_texture.h"
+#include "render/things/shapes/obstacle_mesh.h"
 #include "render/things/shapes/wall_mesh.h"
 
 namespace prairie {

@@ -1,7 +1,7 @@
 // Draws what stands in the meadow: trunks, blocks, rocks and walls (render/things/shapes/obstacle_mesh.h,
-// render/things/shapes/wall_mesh.h). It does not move, so that it is handed to the device once, in squares with an origin
-// each, so that places are precise however far from the scene's origin; squares out of sight are left out,
-// and trunks in far ones have fewer sides. A frame where nothing stands costs nothing.
+// render/things/shapes/wall_mesh.h). It does not move, so that it is handed to the device once, in squares
+// with an origin each, so that places are precise however far from the scene's origin; squares out of sight
+// are left out, and trunks in far ones have fewer sides. A frame where nothing stands costs nothing.
 #pragma once
 
 #include <cstdint>

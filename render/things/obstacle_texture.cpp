@@ -4,8 +4,8 @@
 #include <bit>
 #include <cassert>
 
-#include "render/things/shapes/obstacle_material.h"
 #include "render/gl/shader_program.h"
+#include "render/things/shapes/obstacle_material.h"
 
 namespace prairie {
 namespace {

@@ -1,6 +1,6 @@
-// Draws walkers: one generated figure (render/things/shapes/walker_mesh.h) that each walker's pose bends and its colours
-// dress. Instanced, one draw call a level of detail, which follows the figure's height in pixels; walkers out
-// of sight are left out. A frame without walkers costs nothing.
+// Draws walkers: one generated figure (render/things/shapes/walker_mesh.h) that each walker's pose bends and
+// its colours dress. Instanced, one draw call a level of detail, which follows the figure's height in pixels;
+// walkers out of sight are left out. A frame without walkers costs nothing.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 #include "lod/camera.h"
 #include "render/gl/stream_buffer.h"
-#include "render/things/walker_look.h"
 #include "render/things/shapes/walker_mesh.h"
+#include "render/things/walker_look.h"
 
 namespace prairie {
 

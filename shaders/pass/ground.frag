@@ -1,7 +1,7 @@
 #version 450 core
 // The flat tier (G03 §3.5): the floor between blades, and the sward's look from afar
-// (lod/sward/sward_response.h) as far as the tiers above do not show it: what blades and strips leave uncovered
-// of the cover that all blades would have. Alpha holds that cover.
+// (lod/sward/sward_response.h) as far as the tiers above do not show it: what blades and strips leave
+// uncovered of the cover that all blades would have. Alpha holds that cover.
 #include "shaders/lib/layouts.glsl"
 #include "shaders/lib/frame_block.glsl"
 

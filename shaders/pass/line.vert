@@ -1,6 +1,6 @@
 #version 450 core
-// A corner of a line's strip on the screen (render/overlays/line_pass.h): what lies before the near plane is cut off,
-// and half the width and half a pixel more, over which the edge fades, are laid to each side.
+// A corner of a line's strip on the screen (render/overlays/line_pass.h): what lies before the near plane is
+// cut off, and half the width and half a pixel more, over which the edge fades, are laid to each side.
 #include "shaders/lib/layouts.glsl"
 #include "shaders/shared/line.glsl"
 #include "shaders/lib/frame_block.glsl"

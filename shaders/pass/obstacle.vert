@@ -1,6 +1,6 @@
 #version 450 core
-// A vertex of what stands in the meadow (render/things/shapes/obstacle_mesh.h). Haze is found here, for a software renderer
-// would be slow to find it for every pixel.
+// A vertex of what stands in the meadow (render/things/shapes/obstacle_mesh.h). Haze is found here, for a
+// software renderer would be slow to find it for every pixel.
 #include "shaders/lib/layouts.glsl"
 #include "shaders/lib/frame_block.glsl"
 #include "shaders/lib/haze.glsl"

@@ -22,7 +22,8 @@ vec4 table_texel(uint texel) {
 #endif
 
 layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
-layout(binding = 1) uniform samplerBuffer strip_traits;  // StripTraits (render/grass/strip_pass.h), by species
+layout(binding = 1) uniform samplerBuffer
+    strip_traits;  // StripTraits (render/grass/strip_pass.h), by species
 layout(std430, binding = 4) writeonly buffer StripVertices {
   uvec4 vertices[];
 };  // StripVertex

@@ -10,11 +10,11 @@
 #include <map>
 #include <random>
 
+#include "files/error.h"
 #include "generator/cell_table.h"
 #include "generator/plant_cell.h"
 #include "generator/tiles.h"
 #include "lod/frustum.h"
-#include "files/error.h"
 #include "shaders/kernels/kernels.h"
 #include "tests/generator/test_meadow.h"
 

@@ -8,8 +8,8 @@
 
 #include "files/error.h"
 #include "maps/height_field.h"
-#include "pictures/picture_encoding.h"
 #include "maps/map_file.h"
+#include "pictures/picture_encoding.h"
 #include "tests/maps/test_images.h"
 
 namespace prairie {

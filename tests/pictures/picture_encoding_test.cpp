@@ -1,4 +1,3 @@
-#include "maps/geotiff_output.h"
 #include "pictures/picture_encoding.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <string_view>
 
 #include "files/error.h"
+#include "maps/geotiff_output.h"
 #include "tests/maps/test_images.h"
 
 namespace prairie {

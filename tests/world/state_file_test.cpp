@@ -11,8 +11,8 @@
 #include <limits>
 #include <ostream>
 
-#include "tests/world/scene_texts.h"
 #include "files/little_endian.h"
+#include "tests/world/scene_texts.h"
 #include "world/world.h"
 
 namespace prairie {

@@ -10,8 +10,8 @@
 
 #include "generator/plant.h"
 #include "generator/tiles.h"
-#include "render/gl/gl_objects.h"
 #include "render/frame/renderer.h"
+#include "render/gl/gl_objects.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 

@@ -11,11 +11,11 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "render/light/light.h"
 #include "render/frame/renderer.h"
+#include "render/light/light.h"
 #include "shaders/kernels/kernels.h"
-#include "tests/render/headless_test.h"
 #include "tests/render/grass/sward_picture.h"
+#include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 
 namespace prairie {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "render/light/light.h"
 #include "render/gl/render_target.h"
 #include "render/gl/stream_buffer.h"
+#include "render/light/light.h"
 #include "world/world.h"
 
 namespace prairie {

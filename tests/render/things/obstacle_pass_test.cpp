@@ -6,12 +6,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/light/light.h"
 #include "render/gl/render_target.h"
 #include "render/gl/stream_buffer.h"
-#include "tests/render/things/covered_pixels.h"
+#include "render/light/light.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
+#include "tests/render/things/covered_pixels.h"
 
 namespace prairie {
 namespace {

@@ -9,13 +9,13 @@
 #include <limits>
 #include <numbers>
 
-#include "render/light/light.h"
-#include "render/gl/render_target.h"
 #include "render/frame/renderer.h"
+#include "render/gl/render_target.h"
+#include "render/light/light.h"
 #include "render/things/shapes/solid_mesh.h"
-#include "tests/render/things/covered_pixels.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
+#include "tests/render/things/covered_pixels.h"
 
 namespace prairie {
 namespace {

@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "render/light/light.h"
 #include "render/gl/render_target.h"
-#include "tests/render/things/covered_pixels.h"
+#include "render/light/light.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
+#include "tests/render/things/covered_pixels.h"
 #include "tests/render/things/walking.h"
 
 namespace prairie {
