@@ -1,3 +1,6 @@
+prairie_precompiled(prairie_precompiled_tests ${PROJECT_SOURCE_DIR}/cmake/precompiled.h <gtest/gtest.h>)
+target_link_libraries(prairie_precompiled_tests PRIVATE GTest::gtest)
+
 # prairie_tests(NAME SOURCES … DEPENDS … [TIMEOUT SECONDS]): the tests of the room NAME, such as render/gl, as one
 # program, prairie_render_gl_tests. Each becomes a test ROOM.Suite.Name, ROOM the top-level folder; suites
 # named …LongTest are labelled long. Their helpers, tests/PATH, may be among the sources from anywhere.
@@ -9,6 +12,8 @@ function(prairie_tests name)
   list(TRANSFORM ARG_SOURCES REPLACE "^tests/" "${PROJECT_SOURCE_DIR}/tests/")
   add_executable(${target} ${ARG_SOURCES})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${target} PRIVATE ${prairie_definitions})
+  target_precompile_headers(${target} REUSE_FROM prairie_precompiled_tests)
   target_link_libraries(${target} PRIVATE GTest::gtest_main prairie_flags ${ARG_DEPENDS})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)

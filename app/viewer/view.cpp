@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -143,8 +144,9 @@ class Viewer {
     std::string text = walkers_line(world_);
     if (text.empty()) return text;
     if (walker_overlay_ != WalkerOverlay::kNone)
-      text += std::string("   ") + walker_overlay_name(walker_overlay_);
-    if (camera_.watched()) text += "\n" + watched_walker_line(world_, *camera_.watched(), percepts_);
+      text = fmt::format("{}   {}", text, walker_overlay_name(walker_overlay_));
+    if (camera_.watched())
+      text = fmt::format("{}\n{}", text, watched_walker_line(world_, *camera_.watched(), percepts_));
     return text;
   }
 
