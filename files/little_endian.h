@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
-#include <vector>
 
 namespace prairie {
 
@@ -40,12 +39,6 @@ Number little_endian(std::span<const std::byte> from) {
     bits = static_cast<BitsOf<Number>>(bits |
                                        (BitsOf<Number>{std::to_integer<std::uint8_t>(from[n])} << (8 * n)));
   return std::bit_cast<Number>(bits);
-}
-
-template <FixedWidth Number>
-void append_little_endian(std::vector<std::byte>& to, Number number) {
-  to.resize(to.size() + sizeof(Number));
-  put_little_endian(std::span(to).last(sizeof(Number)), number);
 }
 
 }  // namespace prairie
