@@ -120,7 +120,7 @@ class Viewer {
 
   void draw(const Renderer::Meanwhile& meanwhile) {
     perceive();
-    const FrameStatistics statistics = stage_->renderer.draw(camera_.camera(), frame_options_, 0, meanwhile);
+    const FrameStatistics statistics = stage_->renderer.draw({camera_.camera(), frame_options_}, meanwhile);
     if (overlay_shown_) show_overlay(statistics);
     stage_->window.show_frame();
   }

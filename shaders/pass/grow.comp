@@ -11,7 +11,7 @@
 #define SWAYING_BLADES
 #endif
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/planting.glsl"
 #include "shaders/lib/haze.glsl"
 #include "shaders/lib/sward_look.glsl"
@@ -23,11 +23,11 @@
 #include "shaders/lib/touched_blades.glsl"
 #endif
 
-layout(std430, binding = 4) writeonly buffer GrownVertices {
+layout(std430, binding = kResultBuffer) writeonly buffer GrownVertices {
   uvec4 vertices[];
 };  // GrownVertex
-layout(location = 1) uniform uint segments;
-layout(location = 2) uniform uint first_vertex;
+layout(location = kGrowSegments) uniform uint segments;
+layout(location = kGrowFirstVertex) uniform uint first_vertex;
 
 #ifdef SPLINE_BLADES
 vec3 tier_tinted(vec3 radiance) {
@@ -94,11 +94,11 @@ Rib rib_at(GrownBlade blade, float t, float reach, float profile, float place, f
   BladeSurface surface = blade_surface(along_m, blade.midrib.side, blade.to_eye);
   vec3 half_width_m = surface.side * (0.5f * blade.width_m * profile);
   vec3 albedo = mixed(blade.root_color, blade.tip_color, place);
-  vec3 left = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
-                                    inner(surface.left, frame.sun_direction), blade.ground_n_dot_v);
+  vec3 left = blade_radiance_around(light, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
+                                    inner(surface.left, light.sun_direction), blade.ground_n_dot_v);
   vec3 right =
-      blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
-                            inner(surface.right, frame.sun_direction), blade.ground_n_dot_v);
+      blade_radiance_around(light, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
+                            inner(surface.right, light.sun_direction), blade.ground_n_dot_v);
   return Rib(centre_m - half_width_m, centre_m + half_width_m,
              tier_tinted(mixed(blade.mean_radiance, left, blade.own_share)),
              tier_tinted(mixed(blade.mean_radiance, right, blade.own_share)));
@@ -119,21 +119,21 @@ void main() {
   Features features = planting_features(cell, local_m);
 
   vec3 root_m = drawn.eye_from_tile_m + vec3(cell.offset_m + local_m, ground.height_m);
-  vec3 from_lod_eye_m = root_m - frame.lod_eye_m;
+  vec3 from_lod_eye_m = root_m - view.lod_eye_m;
   float distance_m = sqrt(inner(from_lod_eye_m, from_lod_eye_m));
-  vec3 to_lod_eye = frame.parallel > 0.5f ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-6f);
-  float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
+  vec3 to_lod_eye = view.parallel > 0.5f ? view.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-6f);
+  float pixel_m = view.parallel > 0.5f ? view.pixel_m : view.pixel_m * distance_m;
   vec3 normal = normalized(vec3(-ground.slope, 1.0f));
-  float kept = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m, species.width_m);
-  float crowded = crowded_share(frame.lod, mean_density_per_m2(cell));
+  float kept = keep_share(view.lod, inner(normal, to_lod_eye), pixel_m, distance_m, species.width_m);
+  float crowded = crowded_share(view.lod, mean_density_per_m2(cell));
   float keep = kept * crowded;
   float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
-  float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
+  float growth = growth_of(view.lod, keep * blades_left(drawn.morph), rank);
 
   Blade blade = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k),
                            clump_of(cell, species, local_m), features, ground.height_m);
   if (drawn.morph > 0.0f) {
-    vec2 slid_m = slid_root(blade.root_m, frame.tile_m, drawn.morph);
+    vec2 slid_m = slid_root(blade.root_m, field.tile_m, drawn.morph);
     blade.ground_m += inner(vec3(ground.slope, 0.0f), vec3(slid_m - blade.root_m, 0.0f));
     blade.root_m = slid_m;
   }
@@ -151,13 +151,13 @@ void main() {
   ChainVectors load = texel_load(swaying.texel1, swaying.texel2, swaying.texel3, swaying.texel4);
 #ifdef TRODDEN
   Pressing pressing = pressing_at(field_from_eye_m);
-  lean += 0.8f * pressing.lean_rad;
+  lean += lean_of(pressing);
   blade.height_m *= worn_length(pressing.wear);
   blade.dryness = lerp(blade.dryness, 1.0f, 0.5f * pressing.wear);
 #endif
   BladeCurve rest = pose_blade(blade, ground.slope, growth);
   // Before stiffness changes: another frequency of its own would throw a blade out of its phase.
-  load = with_own_sway(blade, rest, load, swayed, frame.sway_time);
+  load = with_own_sway(blade, rest, load, swayed, field.sway_time);
 #else
   BladeCurve rest = pose_blade(blade, ground.slope, growth);
 #endif
@@ -176,38 +176,38 @@ void main() {
   if (slot != 0u) chain = touched_chain(slot, growth);
 #endif
 #ifdef SPLINE_BLADES
-  Midrib midrib = blended_chain(chain, hermite_share(frame.lod, distance_m));
+  Midrib midrib = blended_chain(chain, hermite_share(view.lod, distance_m));
 #else
   Midrib midrib = curve_of(chain);
 #endif
   // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by,
   // their mean does by its √n-th part. Of those that are left out where it is crowded about a half would have
   // been hidden.
-  float own_share = sqrt(area_left(frame.lod, kept * sqrt(crowded)));
+  float own_share = sqrt(area_left(view.lod, kept * sqrt(crowded)));
 
-  vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
+  vec3 to_eye = view.parallel > 0.5f ? view.towards_eye : normalized(-root_m);
   float h = 1.0f / float(int(segments));
-  float coarser = coarser_share(frame.lod, int(segments), species.height_m / pixel_m);
+  float coarser = coarser_share(view.lod, int(segments), species.height_m / pixel_m);
   SeenAreas seen =
       seen_areas(midrib_point(midrib, 0.0f), midrib_point(midrib, 0.25f), midrib_point(midrib, 0.5f),
                  midrib_point(midrib, 0.75f), midrib_point(midrib, 1.0f), to_eye);
   float wider = wider_for_chords(seen, int(segments), coarser);
-  float width_m = growth > 0.0f ? widened_m(frame.lod, keep,
+  float width_m = growth > 0.0f ? widened_m(view.lod, keep,
                                             wider * lerp(species.width_m, blade.width_m, own_share), pixel_m)
                                 : 0.0f;
 
   float density_per_m2 = root.density + cell.other_density_per_m2;
-  float shade = shade_of(density_per_m2, frame.shade_density_per_m2);
+  float shade = shade_of(density_per_m2, light.shade_density_per_m2);
   vec3 root_color = root_albedo(species, blade.hue, blade.dryness) * features.color;
   vec3 tip_color = tip_albedo(species, blade.hue, blade.dryness) * features.color;
   float ground_n_dot_v = inner(normal, to_eye);
 
   vec3 seen_m = root_m + vec3(0.0f, 0.0f, 0.6f * blade.height_m);
-  vec3 to_eye_from_seen = frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m);
-  SwardView view = sward_view(normal, to_eye_from_seen);
+  vec3 to_eye_from_seen = view.parallel > 0.5f ? view.towards_eye : normalized(-seen_m);
+  SwardSight sight = sward_sight(normal, to_eye_from_seen);
   float optical_depth =
-      sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
-  vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
+      sward_optical_depth(sight, density_per_m2 / field.density_per_leaf_area * features.blade_height);
+  vec3 mean_radiance = sward_color(1 + int(cell.species), sight, optical_depth, shade) * features.color;
 #ifdef MOVING
   mean_radiance *= leaning_light(normal, lean);
 #endif

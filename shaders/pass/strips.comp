@@ -5,7 +5,7 @@
 // Deviation: a strip has no light of its own. It is painted in the mean colour that the tile's blades would
 // show from here (lod/sward/sward_response.h); its texture holds what single blades differ from that by.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 layout(local_size_x = kPlantingGroup) in;
 
 vec4 table_texel(uint texel) {
@@ -21,16 +21,16 @@ vec4 table_texel(uint texel) {
 #include "shaders/lib/moving_fields.glsl"
 #endif
 
-layout(binding = 0) uniform usamplerBuffer tile_texels;  // StripTile
-layout(binding = 1) uniform samplerBuffer
+layout(binding = kStripTileUnit) uniform usamplerBuffer tile_texels;  // StripTile
+layout(binding = kStripTraitsUnit) uniform samplerBuffer
     strip_traits;  // StripTraits (render/grass/strip_pass.h), by species
-layout(std430, binding = 4) writeonly buffer StripVertices {
+layout(std430, binding = kResultBuffer) writeonly buffer StripVertices {
   uvec4 vertices[];
 };  // StripVertex
-layout(location = 0) uniform uint column_count;
-layout(location = 1) uniform uint first_tile;
-layout(location = 2) uniform uint first_column;
-layout(location = 3) uniform uint quads;  // along a side
+layout(location = kLayColumnCount) uniform uint column_count;
+layout(location = kLayFirstTile) uniform uint first_tile;
+layout(location = kLayFirstColumn) uniform uint first_column;
+layout(location = kLayQuads) uniform uint quads;  // along a side
 
 const int kSides = 4;
 
@@ -39,17 +39,17 @@ const int kSides = 4;
 uint radiance_at(vec3 from_eye_m, vec3 normal, vec2 lean, float density_per_m2, float height_m,
                  float blade_height, vec3 color_factor, uint species) {
   vec3 to_eye = normalized(-from_eye_m);
-  SwardView view = sward_view(normal, to_eye);
+  SwardSight sight = sward_sight(normal, to_eye);
   float optical_depth =
-      sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * blade_height);
-  vec3 color = sward_color(1 + int(species), view, optical_depth,
-                           shade_of(density_per_m2, frame.shade_density_per_m2));
+      sward_optical_depth(sight, density_per_m2 / field.density_per_leaf_area * blade_height);
+  vec3 color = sward_color(1 + int(species), sight, optical_depth,
+                           shade_of(density_per_m2, light.shade_density_per_m2));
 #ifdef MOVING
   color *= leaning_light(normal, lean);
 #endif
   float crossing =
-      min(height_m * (abs(to_eye.x) + abs(to_eye.y)) / (view.sin_elevation * frame.tile_m), 1.0f);
-  color = mix(color, litter_radiance(frame.mean_albedo), (1.0f - crossing) * exp(-optical_depth));
+      min(height_m * (abs(to_eye.x) + abs(to_eye.y)) / (sight.sin_elevation * field.tile_m), 1.0f);
+  color = mix(color, litter_radiance(field.mean_albedo), (1.0f - crossing) * exp(-optical_depth));
   return pack_radiance(hazed(tinted_tier(color * color_factor, kStripTint), haze_at(from_eye_m)));
 }
 
@@ -105,7 +105,7 @@ void main() {
   float lying = lying_share(pressing);
   upward = normalized(upward * (1.0f - lying) + vec3(pressing.lean_rad, 0.03f)) *
            (worn_length(pressing.wear) * sqrt(inner(upward, upward)));
-  lean += 0.8f * pressing.lean_rad;
+  lean += lean_of(pressing);
 #endif
 #else
   vec3 upward = vec3(0.0f, 0.0f, 1.0f);
@@ -126,8 +126,8 @@ void main() {
   int facing = is_east_west ? (foot_m.y > 0.0f ? 0 : 2) : (foot_m.x > 0.0f ? 3 : 1);
   float layer = float(int(species_index) * 4 + facing);
   float shift = unit_from_u32(hash_u32(b.w + uint(side)));
-  vec3 from_lod_eye_m = foot_m - frame.lod_eye_m;
-  float left = 1.0f - sunk_share(frame.lod, sqrt(inner(from_lod_eye_m, from_lod_eye_m)));
+  vec3 from_lod_eye_m = foot_m - view.lod_eye_m;
+  float left = 1.0f - sunk_share(view.lod, sqrt(inner(from_lod_eye_m, from_lod_eye_m)));
   float shown = left * min(own_per_m2 / species.densest_per_m2, 1.0f);
 
   uint texel = 2u * uint(kStripVertexTexels) * (first_column + index);

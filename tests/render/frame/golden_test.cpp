@@ -9,12 +9,15 @@
 // into the source tree; look at them before committing.
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "pictures/picture_encoding.h"
 #include "render/frame/renderer.h"
+#include "render/things/walker_pass.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 #include "tests/render/things/walking.h"
@@ -116,16 +119,25 @@ TEST_F(GoldenTest, Walkers) {
         walking(ground, {11.0 + 1.4 * n, 14.0 + 3.0 * (n % 3)}, 0.8 * n, 1.0, 3.0 + 0.1 * n, 1.7, n));
   Camera camera = camera_above(world, {16.0, 1.0}, 1.7, 0.0, -0.15);
   camera.size_px = {320, 240};
-  FrameOptions options;
-  options.walkers = walkers;
-  compare("walkers", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, options, 4), 0.05);
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  WalkerPass pass(PRAIRIE_TEST_SHADERS);
+  const auto walkers_pass = std::ranges::find(renderer.passes(), std::string_view("walkers"), &Pass::name);
+  renderer.passes().insert(walkers_pass, {.name = "posed walkers",
+                                          .state = WalkerPass::kState,
+                                          .prepare =
+                                              [&](const ViewInputs& in) {
+                                                return pass.prepare(in.stream, walkers, in.plan.camera,
+                                                                    in.sward_height_m);
+                                              },
+                                          .draw = [&](const ViewInputs&) { pass.draw(); }});
+  compare("walkers", renderer.render(camera, {}, 4), 0.05);
 }
 
 /// A trunk, a block, rocks and a wall on a slope in the grass. A quarter of the picture is theirs, smooth but
 /// for the relief on them; the rest is blades as in the other cases.
 TEST_F(GoldenTest, Obstacles) {
-  const World world = open_world(meadow_scene(folder_));
-  StandingThings things;
+  Scene scene = meadow_scene(folder_);
+  StandingThings& things = scene.standing;
   things.obstacles = {Trunk{{13.6, 6.6}, 0.22, 1.9}, Block{{14.8, 6.2}, {1.4, 0.8, 0.9}, 0.5},
                       Rock{{16.7, 5.8}, {1.4, 1.0, 1.1}, 0.4, 3}, Rock{{16.0, 4.6}, {0.5, 0.4, 0.4}, 1.0, 9}};
   Wall wall;
@@ -133,11 +145,10 @@ TEST_F(GoldenTest, Obstacles) {
   wall.walkers = WallSide::kOutside;
   wall.height_m = 0.9;
   things.walls = {wall};
+  const World world = open_world(scene);
   Camera camera = camera_above(world, {15.5, 1.2}, 1.7, 0.0, -0.2);
   camera.size_px = {320, 240};
-  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
-  renderer.stand(things);
-  compare("obstacles", renderer.render(camera, {}, 4), 0.05);
+  compare("obstacles", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, {}, 4), 0.05);
 }
 
 }  // namespace
