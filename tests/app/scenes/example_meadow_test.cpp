@@ -42,7 +42,7 @@ TEST(ExampleMeadow, SeedsDiffer) {
 }
 
 TEST(ExampleMeadow, DefaultCamerasStandOnPlantedGround) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 99u}) {
     NewSceneRequest request;
     request.folder = folder / std::to_string(seed);
@@ -60,7 +60,7 @@ TEST(ExampleMeadow, DefaultCamerasStandOnPlantedGround) {
 }
 
 TEST(ExampleMeadow, IsTheCommittedOne) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   NewSceneRequest request;
   request.folder = folder / "meadow";
   new_scene(request);

@@ -135,7 +135,7 @@ class ViewerTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
   bool ends_itself_ = false;  // what is done to the window closes it
 };
 

@@ -7,8 +7,6 @@
 //
 // After a change of the look that is meant: PRAIRIE_UPDATE_GOLDEN=1 in the environment writes the pictures
 // into the source tree; look at them before committing.
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -16,6 +14,7 @@
 #include <vector>
 
 #include "pictures/picture_encoding.h"
+#include "pictures/picture_input.h"
 #include "render/frame/renderer.h"
 #include "render/things/walker_pass.h"
 #include "tests/render/headless_test.h"
@@ -31,15 +30,6 @@ std::filesystem::path golden_file(const std::string& name) {
   return std::filesystem::path(PRAIRIE_TEST_GOLDEN) / (name + ".png");
 }
 
-std::vector<std::uint8_t> read_golden(const std::string& name, int width, int height) {
-  const auto file = OIIO::ImageInput::open(golden_file(name).string());
-  if (!file || file->spec().width != width || file->spec().height != height || file->spec().nchannels != 3)
-    return {};
-  std::vector<std::uint8_t> rgb(static_cast<std::size_t>(3 * width * height));
-  if (!file->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, rgb.data())) return {};
-  return rgb;
-}
-
 class GoldenTest : public HeadlessTest {
  protected:
   void compare(const std::string& name, const Picture& picture, double differing_share) {
@@ -50,8 +40,10 @@ class GoldenTest : public HeadlessTest {
           .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
       GTEST_SKIP() << "wrote " << golden_file(name);
     }
-    const std::vector<std::uint8_t> golden = read_golden(name, picture.width, picture.height);
-    ASSERT_EQ(golden.size(), picture.srgb.size()) << golden_file(name) << " is missing or of another size";
+    const Picture expected = read_picture(golden_file(name), "golden picture");
+    const std::vector<std::uint8_t>& golden = expected.srgb;
+    ASSERT_EQ(expected.width, picture.width);
+    ASSERT_EQ(expected.height, picture.height);
     std::size_t differing = 0;
     for (std::size_t n = 0; n < golden.size(); n += 3) {
       int most = 0;

@@ -3,9 +3,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "files/error.h"
 #include "tests/render/headless_test.h"
+#include "tests/temporary_folder.h"
 
 namespace prairie {
 namespace {
@@ -17,12 +20,10 @@ class ShaderProgramTest : public HeadlessTest {
     std::filesystem::create_directories(folder_ / "lib");
     std::filesystem::create_directories(folder_ / "pass");
   }
-  ~ShaderProgramTest() override { std::filesystem::remove_all(folder_); }
 
   void write(const char* name, const char* text) { std::ofstream(folder_ / name) << text; }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("prairie-shaders-" + std::to_string(getpid()));
+  TemporaryFolder folder_;
 };
 
 TEST_F(ShaderProgramTest, IncludesEachFileOnceAndKeepsLines) {
@@ -31,7 +32,7 @@ TEST_F(ShaderProgramTest, IncludesEachFileOnceAndKeepsLines) {
   write("pass/all.frag",
         "#version 450 core\n#include \"shaders/lib/value.glsl\"\n#include \"shaders/lib/more.glsl\"\n"
         "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(more()); }\n");
-  const ShaderSource source = shader_source(folder_, "pass/all.frag", {"SOME", ""});
+  const ShaderSource source = shader_source(folder_.path(), "pass/all.frag", {"SOME", ""});
   EXPECT_EQ(source.files, (std::vector<std::string>{"pass/all.frag", "lib/value.glsl", "lib/more.glsl"}));
   EXPECT_EQ(source.text,
             "#version 450 core\n#define SOME\n#line 2 0\n"
@@ -47,7 +48,7 @@ TEST_F(ShaderProgramTest, AFaultNamesItsFileAndLine) {
         "#version 450 core\nlayout(local_size_x = 1) in;\n#include \"shaders/lib/broken.glsl\"\n"
         "void main() {}\n");
   try {
-    make_program(folder_, {"pass/broken.comp"}, {"SOME"});
+    make_program(folder_.path(), {"pass/broken.comp"}, {"SOME"});
     FAIL() << "it compiles";
   } catch (const NoSuitableOpenGl& fault) {
     EXPECT_NE(fault.found.find("lib/broken.glsl:2"), std::string::npos) << fault.found;

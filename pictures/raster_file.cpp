@@ -1,4 +1,4 @@
-#include "maps/raster_file.h"
+#include "pictures/raster_file.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "files/error.h"
 #include "files/quiet_stderr.h"
-#include "maps/eager_formats.h"
-#include "maps/exr_header.h"
+#include "pictures/eager_formats.h"
+#include "pictures/exr_header.h"
 
 namespace prairie {
 namespace {

@@ -1,4 +1,4 @@
-#include "maps/exr_header.h"
+#include "pictures/exr_header.h"
 
 #include <array>
 #include <fstream>

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "pictures/pixel_rect.h"
+
 namespace prairie {
 
 /// How a channel's samples are stored.
@@ -20,14 +22,6 @@ struct SampleType {
   double largest = 0.0;  // of an integer type; 0 for a floating-point one
 
   bool is_integer() const { return largest > 0.0; }
-};
-
-/// Pixels of an image, counted from its top left.
-struct PixelRect {
-  int column = 0;
-  int row = 0;
-  int columns = 0;
-  int rows = 0;
 };
 
 /// Neighbouring channels of a file.

@@ -1,4 +1,4 @@
-#include "maps/eager_formats.h"
+#include "pictures/eager_formats.h"
 
 #include <algorithm>
 #include <fstream>
