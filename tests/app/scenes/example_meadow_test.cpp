@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kCommitted = fs::path(PRAIRIE_EXAMPLES) / "meadow";
+const fs::path kCommitted = fs::path(PRAIRIE_SOURCES) / "examples/meadow";
 
 double mean_per_m2(const GreyMap& map) {
   const double sum = std::accumulate(map.values.begin(), map.values.end(), 0.0);

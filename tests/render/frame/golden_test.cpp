@@ -25,9 +25,11 @@ namespace prairie {
 namespace {
 
 constexpr int kVisibleStep = 8;
+const std::filesystem::path kGoldenFolder =
+    std::filesystem::path(PRAIRIE_SOURCES) / "tests/render/frame/golden";
 
 std::filesystem::path golden_file(const std::string& name) {
-  return std::filesystem::path(PRAIRIE_TEST_GOLDEN) / (name + ".png");
+  return kGoldenFolder / (name + ".png");
 }
 
 class GoldenTest : public HeadlessTest {
@@ -35,7 +37,7 @@ class GoldenTest : public HeadlessTest {
   void compare(const std::string& name, const Picture& picture, double differing_share) {
     if (std::getenv("PRAIRIE_UPDATE_GOLDEN") != nullptr) {
       const std::vector<std::byte> png = encode_png_rgb8(picture.width, picture.height, picture.srgb);
-      std::filesystem::create_directories(PRAIRIE_TEST_GOLDEN);
+      std::filesystem::create_directories(kGoldenFolder);
       std::ofstream(golden_file(name), std::ios::binary)
           .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
       GTEST_SKIP() << "wrote " << golden_file(name);
