@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <glm/trigonometric.hpp>
 
-#include "app/viewer/frame_keys.h"
+#include "app/viewer/frame_choices.h"
 
 namespace prairie {
 namespace {

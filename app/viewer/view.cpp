@@ -16,7 +16,7 @@
 #include "app/scenes/installed_files.h"
 #include "app/terminal/messages.h"
 #include "app/terminal/option_values.h"
-#include "app/viewer/frame_keys.h"
+#include "app/viewer/frame_choices.h"
 #include "app/viewer/frame_times.h"
 #include "app/viewer/overlay.h"
 #include "app/viewer/play.h"
@@ -179,13 +179,51 @@ class Viewer {
 
   void press(int key) {
     notice_.clear();
-    apply_frame_key(key, frame_options_);
-    play_.press(key, camera_.camera());
+    press_for_frames(key);
+    press_for_play(key);
+    press_for_wind(key);
     press_for_walkers(key);
     if (key == GLFW_KEY_ESCAPE) stage_->window.close();
     if (key == GLFW_KEY_F) camera_.toggle_walking(world_.meadow().ground);
     if (key == GLFW_KEY_H) overlay_shown_ = !overlay_shown_;
     if (key == GLFW_KEY_F12) screenshot_wanted_ = true;
+  }
+
+  void press_for_frames(int key) {
+    FrameOptions& options = frame_options_;
+    if (key == GLFW_KEY_T) options.tier = next_tier(options.tier);
+    if (key == GLFW_KEY_O) options.field_overlay = next_overlay(options.field_overlay);
+    if (key == GLFW_KEY_G) options.tier_tint = !options.tier_tint;
+    if (key == GLFW_KEY_M) options.msaa = !options.msaa;
+    if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT)
+      options.quality = stepped(options.quality.value(), -1);
+    if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD)
+      options.quality = stepped(options.quality.value(), +1);
+  }
+
+  void press_for_play(int key) {
+    const Camera& camera = camera_.camera();
+    if (key == GLFW_KEY_P) play_.toggle_pause();
+    if (key == GLFW_KEY_N) play_.step_once();
+    if (key == GLFW_KEY_B) play_.send_gust(camera);
+    if (key == GLFW_KEY_V) play_.send_tornado(camera);
+    if (key == GLFW_KEY_R) play_.roll_stone(camera);
+    if (key != GLFW_KEY_C) return;
+    if (play_.has_cart())
+      play_.leave_cart();
+    else
+      play_.take_cart(camera);
+  }
+
+  void press_for_wind(int key) {
+    WindControls wind = play_.wind();
+    if (key == GLFW_KEY_LEFT_BRACKET) change_speed(wind, -1);
+    if (key == GLFW_KEY_RIGHT_BRACKET) change_speed(wind, +1);
+    if (key == GLFW_KEY_COMMA) change_heading(wind, -1);
+    if (key == GLFW_KEY_PERIOD) change_heading(wind, +1);
+    if (key == GLFW_KEY_SEMICOLON) change_turbulence(wind, -1);
+    if (key == GLFW_KEY_APOSTROPHE) change_turbulence(wind, +1);
+    play_.set_wind(wind);
   }
 
   void press_for_walkers(int key) {
