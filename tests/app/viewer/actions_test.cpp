@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <random>
 #include <set>
 #include <string>
@@ -82,6 +83,27 @@ TEST(Actions, NoKeyStandsForTwoAtATime) {
       }
       perform(pressed.actions[random() % pressed.actions.size()].name, pressed.actions, pressed.session);
     }
+  }
+}
+
+TEST(Actions, TheManualListsTheKeys) {
+  std::vector<KeyHelp> listed;
+  std::ifstream manual(PRAIRIE_MANUAL);
+  std::string line;
+  while (std::getline(manual, line) && line != "| key | action |") {
+  }
+  std::getline(manual, line);
+  while (std::getline(manual, line) && line.starts_with("| ")) {
+    std::erase(line, '`');
+    const std::size_t middle = line.find(" | ", 2);
+    ASSERT_NE(middle, std::string::npos) << line;
+    listed.push_back({line.substr(2, middle - 2), line.substr(middle + 3, line.size() - middle - 5)});
+  }
+  const std::vector<KeyHelp> help = key_help(viewer_actions());
+  ASSERT_EQ(listed.size(), help.size());
+  for (std::size_t n = 0; n < help.size(); ++n) {
+    EXPECT_EQ(listed[n].keys, help[n].keys);
+    EXPECT_EQ(listed[n].help, help[n].help) << help[n].keys;
   }
 }
 
