@@ -11,7 +11,7 @@
 #include "lod/planner.h"
 #include "render/frame/frame_blocks.h"
 #include "render/frame/scene_passes.h"
-#include "render/gl/gpu_timer.h"
+#include "render/gl/gpu_timeline.h"
 #include "render/gl/graphics_reset.h"
 #include "render/gl/render_target.h"
 #include "render/gl/stream_buffer.h"
@@ -77,13 +77,10 @@ struct Renderer::Parts {
     scene.moving_fields.show(world->motion(), glm::dvec2(in.plan.camera.eye_m), blocks.view, blocks.field);
     bind(stream, blocks);
     scene.bind_shared();
-    while (timers.size() < passes.size()) timers.emplace_back();
     is_shown.assign(passes.size(), false);
-    for (std::size_t n = 0; n < passes.size(); ++n) {
-      timers[n].begin();
-      is_shown[n] = passes[n].prepare(in);
-      timers[n].end();
-    }
+    timeline.begin();
+    for (std::size_t n = 0; n < passes.size(); ++n) is_shown[n] = passes[n].prepare(in);
+    timeline.end(passes.size());
   }
 
   // Reads nothing that time moves: the world may be stepped meanwhile.
@@ -91,12 +88,12 @@ struct Renderer::Parts {
     blocks.view.jitter = jitter;
     bind_uniform_block(stream, layouts::kViewBlock, blocks.view);
     scene.bind_shared();
+    timeline.begin();
     for (std::size_t n = 0; n < passes.size(); ++n) {
       if (!is_shown[n]) continue;
-      timers[n].begin();
       set_draw_state(passes[n].state);
       passes[n].draw(in);
-      timers[n].end();
+      timeline.end(n);
     }
   }
 
@@ -121,11 +118,13 @@ struct Renderer::Parts {
     statistics.flat.triangles = scene.ground.triangles_drawn();
   }
 
-  std::vector<StageTime> finish_timers() {
+  // Of what took time in the latest frame that is known.
+  std::vector<StageTime> finish_timeline() {
+    timeline.finish_frame();
     std::vector<StageTime> times;
-    for (std::size_t n = 0; n < passes.size(); ++n) {
-      timers[n].finish_frame();
-      times.push_back({passes[n].name, timers[n].last_ms()});
+    const std::vector<double>& last_ms = timeline.last_ms();
+    for (std::size_t n = 0; n < last_ms.size(); ++n) {
+      if (last_ms[n] > 0.0) times.push_back({n < passes.size() ? passes[n].name : "prepare", last_ms[n]});
     }
     return times;
   }
@@ -138,8 +137,8 @@ struct Renderer::Parts {
   StreamBuffer stream{std::size_t{1} << 20};
   ScenePasses scene;
   std::vector<Pass> passes;
-  std::deque<GpuTimer> timers;  // by pass
-  std::vector<bool> is_shown;   // by pass: whether it has something to draw in the view that was prepared
+  GpuTimeline timeline;        // stages are passes, and one more that prepares them
+  std::vector<bool> is_shown;  // by pass: whether it has something to draw in the view that was prepared
   Develop develop;
   FrameBlocks blocks;           // of that view
   std::deque<ViewState> views;  // by their place in the frame
@@ -177,7 +176,7 @@ std::vector<FrameStatistics> Renderer::draw(std::span<const FrameView> views, co
   }
   glFlush();
   beside.get();
-  const std::vector<StageTime> gpu_times = parts_->finish_timers();
+  const std::vector<StageTime> gpu_times = parts_->finish_timeline();
   for (FrameStatistics& one : statistics) one.gpu_times = gpu_times;
   check_context();
   return statistics;
@@ -203,7 +202,7 @@ Picture Renderer::render(const Camera& camera, const FrameOptions& options, int 
   for (int sample = 0; sample < samples; ++sample) {
     frame.begin();
     parts_->draw(in, sample_shift(sample, samples, camera.size_px));
-    statistics.gpu_times = parts_->finish_timers();
+    statistics.gpu_times = parts_->finish_timeline();
     sum.add(frame.resolved_framebuffer());
   }
   check_context();
