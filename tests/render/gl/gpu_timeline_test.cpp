@@ -68,6 +68,7 @@ TEST_F(GpuTimelineTest, AddsUpStagesAndForgetsThem) {
     work(target);
     glFinish();
     timeline.end(1);
+    glFinish();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   whole.end(0);
