@@ -1,11 +1,14 @@
 // `prairie view`: the command line of app/viewer/view.h.
 #include <memory>
+#include <string>
 
 #include "app/commands/commands.h"
 #include "app/scenes/camera_option.h"
 #include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/option_values.h"
+#include "app/viewer/actions.h"
+#include "app/viewer/key_help.h"
 #include "app/viewer/view.h"
 
 namespace prairie {
@@ -63,26 +66,10 @@ void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chos
           "Close after so many frames")
       ->group("");
   command->add_option("--screenshot", options->viewer.screenshot, "Save the last picture")->group("");
-  command->footer(
-      "W A S D move, Q and E sink and rise, shift is fast, dragging the mouse turns; F switches between "
-      "walking\n"
-      "and flying, T between tiers, G tints them, M smooths edges; - and = lower and raise the quality;\n"
-      "F12 saves prairie-0001.png, …; H hides the text; Esc ends.\n"
-      "P pauses time and N steps it once meanwhile; [ and ] change the wind's speed, comma and full stop "
-      "its\n"
-      "heading, ; and ' its turbulence; B sends a gust, V a tornado; R lets a stone roll; C takes a cart, "
-      "which\n"
-      "the arrow keys drive, or leaves it; O shows the wind as arrows, then trodden grass as heat, then how "
-      "far\n"
-      "it is from having risen.\n"
-      "Of walkers, K watches the next one and J has the camera free, behind it or about it (dragging turns, "
-      "wheel\n"
-      "or Q and E go nearer or farther); U takes it or gives it back: the arrow keys then walk, turn and "
-      "stand,\n"
-      "shift walks fast; X shows what walkers perceive, their paths, both or neither.\n"
-      "Examples:\n"
-      "  prairie view examples/meadow\n"
-      "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080");
+  command->footer("Keys:\n" + key_table(viewer_actions()) +
+                  "Examples:\n"
+                  "  prairie view examples/meadow\n"
+                  "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080");
   command->callback(
       [options, &globals, &chosen] { chosen = [options, &globals] { return view(*options, globals); }; });
 }
