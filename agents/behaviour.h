@@ -36,6 +36,8 @@ struct Goal {
   glm::dvec2 position_m{0.0};
   double radius_m = 1.0;  // it is reached from here on
   double stay_s = 0.0;    // before the next one
+
+  bool operator==(const Goal&) const = default;
 };
 
 /// What a walker keeps in mind; plain data, part of a saved state.

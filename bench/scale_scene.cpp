@@ -1,11 +1,13 @@
 #include "bench/scale_scene.h"
 
-#include <fmt/format.h>
-
 #include <glm/trigonometric.hpp>
-#include <string>
+#include <utility>
+#include <vector>
 
+#include "generator/grasses.h"
 #include "world/camera_placement.h"
+#include "world/scene/bearing.h"
+#include "world/scene/color_text.h"
 
 namespace prairie {
 namespace {
@@ -19,78 +21,55 @@ constexpr double kYawDeg = 330.0;
 constexpr double kPitchDeg = -2.0;
 constexpr double kWalkMPerS = 1.4;
 
-// The grasses of `prairie new`'s meadow.
-constexpr const char* kSceneText = R"(version = 1
-[height]
-file = "{}"
-repeat = {}
-[ground]
-soil_color = "#5d5040"
-[[species]]
-name = "fescue"
-density = {}
-height_m = 0.32
-height_spread = 0.35
-width_mm = 3.5
-tilt_deg = 12.0
-curvature_deg = 45.0
-clump_m = 0.28
-clump_strength = 0.55
-[[species]]
-name = "oatgrass"
-density = {}
-height_m = 0.72
-height_spread = 0.25
-width_mm = 3.0
-width_spread = 0.25
-tilt_deg = 9.0
-lean_deg = 14.0
-curvature_deg = 34.0
-mass_g = 0.12
-stiffness = 40.0
-clump_m = 0.45
-clump_strength = 0.65
-clump_spray_deg = 12.0
-root_color = "#4d5526"
-tip_color = "#b59a55"
-dry_color = "#d8bf82"
-transmission = [0.66, 0.56, 0.22]
-dry_share = 0.45
-dry_spread = 0.35
-hue_spread = 0.35
-[sun]
-azimuth_deg = 285.0
-elevation_deg = 34.0
-[lod]
-quality = "medium"
-blade_distance_m = 128.0
-)";
+/// The grasses of `prairie new`'s meadow.
+std::vector<SpeciesSpec> grasses(double density_factor) {
+  SpeciesSpec fescue;
+  fescue.species = {"fescue", fescue_params()};
+  fescue.uniform_density_per_m2 = kFescuePerM2 * density_factor;
+  SpeciesSpec oatgrass;
+  oatgrass.species = {"oatgrass", oatgrass_params()};
+  oatgrass.uniform_density_per_m2 = kOatgrassPerM2 * density_factor;
+  return {fescue, oatgrass};
+}
 
-constexpr const char* kWindText = R"([wind]
-speed_m_per_s = 6.0
-heading_deg = 70
-[[wind.gust]]
-position_m = [700, 580]
-heading_deg = 70
-)";
+WindSpec wind_with_a_gust() {
+  WindSpec wind;
+  wind.speed_m_per_s = 6.0;
+  wind.heading_deg = 70.0;
+  Gust gust;
+  gust.origin_m = {700.0, 580.0};
+  gust.heading_rad = heading_rad_of(70.0);
+  wind.primitives = {gust};
+  return wind;
+}
 
-// 60 m before the start of the walk.
-constexpr const char* kWalkersText = R"([[walkers]]
-name = "people"
-count = {}
-position_m = [720, 612]
-radius_m = 32
-)";
+/// 60 m before the start of the walk.
+WalkerGroup people(std::uint32_t count) {
+  WalkerGroup group;
+  group.name = "people";
+  group.count = count;
+  group.centre_m = {720.0, 612.0};
+  group.radius_m = 32.0;
+  return group;
+}
 
 }  // namespace
 
 World scale_world(const ScaleGround& ground, const ScaleVariant& variant) {
-  std::string text =
-      fmt::format(fmt::runtime(kSceneText), ground.file.filename().string(), variant.repeats,
-                  kFescuePerM2 * variant.density_factor, kOatgrassPerM2 * variant.density_factor);
-  if (variant.windy) text += kWindText;
-  if (variant.walkers > 0) text += fmt::format(fmt::runtime(kWalkersText), variant.walkers);
-  return World(parse_scene(text, ground.file.parent_path(), {}), {});
+  Scene scene;
+  scene.folder = ground.file.parent_path();
+  scene.height = MapSpec{};
+  scene.height->file = ground.file;
+  scene.height->field = "height.file";
+  scene.height->repeats = variant.repeats;
+  scene.soil_color = *linear_from_hex("#5d5040");
+  scene.species = grasses(variant.density_factor);
+  scene.sun.azimuth_deg = 285.0;
+  scene.sun.elevation_deg = 34.0;
+  scene.lod.blade_distance_m = 128.0;
+  if (variant.windy) scene.wind = wind_with_a_gust();
+  if (variant.walkers > 0) scene.walkers = {people(static_cast<std::uint32_t>(variant.walkers))};
+  return World(std::move(scene), {});
 }
 
 double expected_blades(const World& world) {

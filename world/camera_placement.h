@@ -7,7 +7,7 @@
 #include <string>
 
 #include "generator/meadow.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "maps/node_grid.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 

@@ -15,7 +15,7 @@
 #include "animation/treading.h"
 #include "animation/wind.h"
 #include "generator/meadow.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 

@@ -5,7 +5,7 @@
 #include "animation/heading.h"
 #include "animation/inertial_chains.h"
 #include "maps/wind_file.h"
-#include "world/bearing.h"
+#include "world/scene/bearing.h"
 
 namespace prairie {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "animation/chain_block.h"
 #include "animation/wind.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 

@@ -11,7 +11,7 @@
 #include "files/input_file.h"
 #include "world/camera_placement.h"
 #include "world/effort.h"
-#include "world/scene_hash.h"
+#include "world/scene/scene_hash.h"
 #include "world/scene_wind.h"
 #include "world/state_file.h"
 

@@ -19,7 +19,7 @@
 #include "maps/height_field.h"
 #include "world/map_loading.h"
 #include "world/motion.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 

@@ -14,7 +14,7 @@
 #include "app/terminal/messages.h"
 #include "app/terminal/usage_error.h"
 #include "files/error.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 

@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/scenes/new_scene_text.h"
+#include "app/scenes/new_scene_contents.h"
+#include "app/scenes/new_scene_notes.h"
 #include "app/terminal/interruption.h"
 #include "app/terminal/usage_error.h"
 #include "files/atomic_file.h"
@@ -114,8 +115,9 @@ void write_example(const NewSceneRequest& request) {
   files.write(kExampleBladeHeightFile, std::span<const std::byte>(encoded(meadow.blade_height)));
   const GridFrame& frame = meadow.ground_m.frame();
   const glm::dvec2 extent_m = frame.spacing_m * glm::dvec2(frame.columns - 1, frame.rows - 1);
-  files.finish(example_scene_text(request.seed, meadow) +
-               walkers_text(request.walkers, meadow.cameras.front(), extent_m));
+  Scene scene = example_scene(request, meadow);
+  add_walkers(scene, request.walkers, extent_m);
+  files.finish(scene_text(scene, example_notes()));
 }
 
 // The stem says what the raster is; the suffix, which readers go by, stays if it is a plain one.
@@ -152,14 +154,13 @@ double to_tenths(double value) {
   return std::round(10.0 * value) / 10.0;
 }
 
-// Opens the scene with the rasters where they lie now, and has it find a place to stand.
 struct Found {
   CameraSpec camera;
   glm::dvec2 extent_m;
 };
 
-Found found_camera(const NewSceneRequest& request, const RasterNames& names) {
-  Scene scene = parse_scene(raster_scene_text(request, names, std::nullopt), request.folder, {});
+// Opens the scene with the rasters where they lie now, and has it find a place to stand.
+Found found_camera(const NewSceneRequest& request, Scene scene) {
   if (request.height_file) scene.height->file = *request.height_file;
   if (request.density) scene.species.front().density->file = request.density->file;
   WorldOptions options;
@@ -181,11 +182,13 @@ void write_from_rasters(const NewSceneRequest& request) {
   };
   if (request.height_file) names.height = plan_copies(*request.height_file, "height");
   if (request.density) names.density = plan_copies(request.density->file, "density");
-  const auto [camera, extent_m] = found_camera(request, names);
-  const std::string walkers = walkers_text(request.walkers, camera, extent_m);
+  Scene scene = raster_scene(request, names);
+  const auto [camera, extent_m] = found_camera(request, scene);
+  scene.cameras = {camera};
+  add_walkers(scene, request.walkers, extent_m);
   SceneFiles files(request.folder);
   for (const Copy& copy : copies) files.copy(copy.source, copy.name);
-  files.finish(raster_scene_text(request, names, camera) + walkers);
+  files.finish(scene_text(scene, raster_notes(request)));
 }
 
 }  // namespace

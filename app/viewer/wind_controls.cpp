@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "animation/heading.h"
-#include "world/bearing.h"
+#include "world/scene/bearing.h"
 #include "world/scene_wind.h"
 
 namespace prairie {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shaders/shared/layouts.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "animation/treading.h"
-#include "world/scene.h"
-#include "world/scene_hash.h"
+#include "world/scene/scene.h"
+#include "world/scene/scene_hash.h"
 
 namespace {
 

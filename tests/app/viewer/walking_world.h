@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "agents/track.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 #include "world/world.h"
 
 namespace prairie::testing {

@@ -25,7 +25,7 @@
 #include "tests/app/small_scene.h"
 #include "tests/app/viewer/window_from_outside.h"
 #include "tests/maps/test_images.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 #include "world/world.h"
 
 namespace prairie {

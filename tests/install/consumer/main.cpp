@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "generator/plant.h"
-#include "world/scene.h"
+#include "world/scene/scene.h"
 #include "world/world.h"
 
 int main(int argc, char** argv) {

@@ -11,6 +11,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "generator/grasses.h"
 #include "render/frame/renderer.h"
 #include "render/light/scene_light.h"
 #include "shaders/kernels/kernels.h"
@@ -24,60 +25,9 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
-// The grasses of examples/meadow, and a short broad one.
-SpeciesParams fescue() {
-  SpeciesParams p{};
-  p.root_color = {0.040f, 0.068f, 0.016f};
-  p.tip_color = {0.190f, 0.258f, 0.066f};
-  p.dry_color = {0.380f, 0.300f, 0.130f};
-  p.transmission = {0.62f, 0.78f, 0.16f};
-  p.dry_share = 0.16f;
-  p.dry_spread = 0.30f;
-  p.hue_spread = 0.5f;
-  p.specular = 0.06f;
-  p.height_m = 0.32f;
-  p.height_spread = 0.35f;
-  p.width_m = 0.0035f;
-  p.width_spread = 0.30f;
-  p.tilt_rad = glm::radians(12.0f);
-  p.lean_rad = glm::radians(10.0f);
-  p.curvature_rad = glm::radians(45.0f);
-  p.curvature_spread = 0.5f;
-  p.mass_g = 0.06f;
-  p.stiffness = 60.0f;
-  p.stiffness_spread = 0.3f;
-  p.clump_m = 0.28f;
-  p.clump_strength = 0.55f;
-  p.clump_spray_rad = glm::radians(18.0f);
-  return p;
-}
-
-SpeciesParams oatgrass() {
-  SpeciesParams p = fescue();
-  p.root_color = {0.074f, 0.091f, 0.019f};
-  p.tip_color = {0.462f, 0.323f, 0.091f};
-  p.dry_color = {0.686f, 0.521f, 0.223f};
-  p.transmission = {0.66f, 0.56f, 0.22f};
-  p.dry_share = 0.45f;
-  p.dry_spread = 0.35f;
-  p.hue_spread = 0.35f;
-  p.height_m = 0.72f;
-  p.height_spread = 0.25f;
-  p.width_m = 0.003f;
-  p.width_spread = 0.25f;
-  p.tilt_rad = glm::radians(9.0f);
-  p.lean_rad = glm::radians(14.0f);
-  p.curvature_rad = glm::radians(34.0f);
-  p.mass_g = 0.12f;
-  p.stiffness = 40.0f;
-  p.clump_m = 0.45f;
-  p.clump_strength = 0.65f;
-  p.clump_spray_rad = glm::radians(12.0f);
-  return p;
-}
-
+// Short and broad.
 SpeciesParams short_broad_grass() {
-  SpeciesParams p = fescue();
+  SpeciesParams p = fescue_params();
   p.height_m = 0.14f;
   p.width_m = 0.007f;
   p.tilt_rad = glm::radians(35.0f);
@@ -177,7 +127,7 @@ void expect_near(const Differences& found) {
 }
 
 TEST(SwardResponseTest, TellsWhatOneSeesOfFescue) {
-  const SpeciesParams grass = fescue();
+  const SpeciesParams grass = fescue_params();
   expect_near(differences({{&grass, 1.0}}, kDensities, kElevations));
 }
 
@@ -185,7 +135,7 @@ constexpr std::array<double, 2> kSomeDensities = {600.0, 2500.0};
 constexpr std::array<double, 4> kSomeElevations = {1.0, 10.0, 30.0, 90.0};
 
 TEST(SwardResponseTest, TellsWhatOneSeesOfOatgrass) {
-  const SpeciesParams grass = oatgrass();
+  const SpeciesParams grass = oatgrass_params();
   expect_near(differences({{&grass, 1.0}}, kSomeDensities, kSomeElevations));
 }
 
@@ -195,14 +145,14 @@ TEST(SwardResponseTest, TellsWhatOneSeesOfShortBroadGrass) {
 }
 
 TEST(SwardResponseTest, TellsWhatOneSeesOfAMix) {
-  const SpeciesParams low = fescue();
-  const SpeciesParams tall = oatgrass();
+  const SpeciesParams low = fescue_params();
+  const SpeciesParams tall = oatgrass_params();
   expect_near(differences({{&low, 0.8}, {&tall, 0.2}}, kSomeDensities, kSomeElevations));
 }
 
 TEST(SwardResponseTest, TellsTheSpeciesOfAMixApart) {
-  const SpeciesParams low = fescue();
-  const SpeciesParams tall = oatgrass();
+  const SpeciesParams low = fescue_params();
+  const SpeciesParams tall = oatgrass_params();
   const std::vector<SwardLayer> layers = {{&low, 800.0}, {&tall, 200.0}};
   const LightParams light = light_from(kSunElevations[1], kSunAzimuths[1]);
   const SwardResponse response = sward_response(layers, light);
@@ -220,8 +170,8 @@ TEST(SwardResponseTest, TellsTheSpeciesOfAMixApart) {
 }
 
 TEST(SwardResponseTest, KnowsASpeciesThatIsSownNowhere) {
-  const SpeciesParams low = fescue();
-  const SpeciesParams tall = oatgrass();
+  const SpeciesParams low = fescue_params();
+  const SpeciesParams tall = oatgrass_params();
   const LightParams light = light_from(kSunElevations[0], 0.0);
   const std::vector<SwardLayer> layers = {{&low, 500.0}, {&tall, 0.0}};
   const SwardResponse mixed = sward_response(layers, light);
@@ -234,8 +184,8 @@ TEST(SwardResponseTest, KnowsASpeciesThatIsSownNowhere) {
 }
 
 TEST(SwardResponseTest, IsTheSameOnAnyNumberOfThreads) {
-  const SpeciesParams low = fescue();
-  const SpeciesParams tall = oatgrass();
+  const SpeciesParams low = fescue_params();
+  const SpeciesParams tall = oatgrass_params();
   const SpeciesParams broad = short_broad_grass();
   const std::vector<SwardLayer> layers = {{&low, 800.0}, {&tall, 200.0}, {&broad, 100.0}};
   const LightParams light = light_from(kSunElevations[0], 0.0);
@@ -264,7 +214,7 @@ TEST_F(SwardRenderTest, HasTheColorOfThePictureOfAllBlades) {
   scene.sun.elevation_deg = 35.0;
   scene.species.resize(1);
   scene.species[0].species.name = "fescue";
-  scene.species[0].species.params = fescue();
+  scene.species[0].species.params = fescue_params();
   scene.species[0].uniform_density_per_m2 = 2500.0;
   const World world = open_world(scene);
   const LightParams light = scene_light(scene.sun);

@@ -1,0 +1,78 @@
+// Maps: [height], a species' density, and those in [maps].
+#include <fmt/format.h>
+
+#include "world/scene/file_key.h"
+#include "world/scene/key_ranges.h"
+#include "world/scene/scene_keys.h"
+
+namespace prairie {
+namespace {
+
+constexpr Bounds kSpacingM{1e-3, 1e4};
+
+void read_file(TableReader& table, const KeyTraits& key, const Scene& so_far, MapSpec& map) {
+  map.field = table.path_of(key.name);
+  const auto file = read_path(table, key, so_far, "the path of an image or raster");
+  if (!file) table.refuse_missing(key.name, "the path of an image or raster");
+  map.file = *file;
+}
+
+void hash_file(CanonicalText& text, const KeyTraits& key, const ContentHashes& files, const MapSpec& map) {
+  if (const auto content = files.find(map.field); content != files.end())
+    text.add(key.hash.name, content->second);
+}
+
+std::string file_text(const KeyTraits&, const Scene& scene, const MapSpec& map) {
+  return path_text(scene, map.file);
+}
+
+void read_channel(TableReader& table, const KeyTraits& key, const Scene&, MapSpec& map) {
+  read_value(table, key, map.channel);
+  if (map.channel && map.channel->empty())
+    table.refuse(key.name, "\"R\", \"G\", \"B\", \"A\" or a channel's name");
+}
+
+void read_range(TableReader& table, const KeyTraits& key, const Scene&, MapSpec& map) {
+  read_value(table, key, map.range);
+  if (map.range && (*map.range)[0] == (*map.range)[1])
+    table.refuse(key.name, fmt::format("[{0}, {0}]", (*map.range)[0]), "two different numbers");
+}
+
+/// All maps are hashed alike; `channel` and so on: the keys' names, empty for those that the map goes
+/// without.
+KeyTable<MapSpec> table_of(std::string_view channel, std::string_view range, std::string_view curve,
+                           std::string_view max, Bounds max_range) {
+  return {{
+      {.traits = {.name = "file", .is_required = true, .hash = {"content", 0}},
+       .read = read_file,
+       .hash = hash_file,
+       .text = file_text},
+      key<&MapSpec::spacing_m>({.name = "spacing_m", .range = kSpacingM, .hash = {"spacing_m", 2}}),
+      key<&MapSpec::nodata>({.name = "nodata", .range = kAnyNumber, .hash = {"nodata", 4}}),
+      key<&MapSpec::repeats>({.name = "repeat", .hash = {"repeats", 7}}),
+      {.traits = {.name = channel, .hash = {"channel", 1}},
+       .read = read_channel,
+       .hash = hash_member<MapSpec, &MapSpec::channel>,
+       .text = member_text<MapSpec, &MapSpec::channel>},
+      {.traits = {.name = range, .range = kAnyNumber, .hash = {"range", 3}},
+       .read = read_range,
+       .hash = hash_member<MapSpec, &MapSpec::range>,
+       .text = member_text<MapSpec, &MapSpec::range>},
+      key<&MapSpec::curve>({.name = curve, .range = Bounds{0.01, 100.0}, .hash = {"curve", 5}}),
+      key<&MapSpec::max>({.name = max, .range = max_range, .hash = {"max", 6}}),
+  }};
+}
+
+}  // namespace
+
+const KeyTable<MapSpec>& map_keys(MapUse use) {
+  static const KeyTable<MapSpec> tables[] = {
+      table_of("channel", "range", "", "", {}),
+      table_of("channel", "range", "curve", "max_per_m2", {0.0, kMaxDensityPerM2}),
+      table_of("channel", "range", "", "max", {0.0, 10.0}),
+      table_of("", "", "", "", {}),
+  };
+  return tables[static_cast<std::size_t>(use)];
+}
+
+}  // namespace prairie
