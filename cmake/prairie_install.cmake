@@ -21,7 +21,8 @@ endforeach()
 foreach(folder shared kernels)
   install(DIRECTORY shaders/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prairie/shaders)
 endforeach()
-install(DIRECTORY shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/prairie PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/prairie
+  PATTERN CMakeLists.txt EXCLUDE PATTERN README.md EXCLUDE)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/prairie)
 
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
