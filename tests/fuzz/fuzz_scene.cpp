@@ -1,5 +1,6 @@
 // Fuzzes the reader of scene files: the bytes before the first NUL are scene.toml, those after it are
-// overrides, one a line. Whatever they are, they give a scene within its limits or BadInput in one line.
+// overrides, one a line. Whatever they are, they give a scene within its limits, which is the same once it
+// has been written and read, or BadInput in one line.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include "animation/treading.h"
 #include "world/scene/scene.h"
 #include "world/scene/scene_hash.h"
+#include "world/scene/scene_text.h"
 
 namespace {
 
@@ -61,7 +63,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(spec.species.params.height_m > 0.0f && spec.species.params.clump_m > 0.0f);
     }
     require_usable(scene);
-    prairie::scene_hash(scene, {});
+    const prairie::Scene again = prairie::parse_scene(prairie::scene_text(scene), scene.folder, {});
+    require(prairie::scene_hash(again, {}) == prairie::scene_hash(scene, {}));
   } catch (const prairie::BadInput& fault) {
     require(std::string_view(fault.what()).find('\n') == std::string_view::npos);
   }

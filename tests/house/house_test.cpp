@@ -123,8 +123,8 @@ TEST(HouseTest, LinesFitIntoTheirColumns) {
 /// Binding points and uniforms' locations are told once, in shaders/shared/bindings.glsl, for both languages.
 TEST(HouseTest, BindingNumbersOccurOnce) {
   const std::regex in_shaders(R"(binding\s*=\s*\d|layout\(location\s*=\s*\d+\)\s+uniform)");
-  const std::regex in_code(
-      R"(glBind(Textures|TextureUnit\(\s*\d|Buffer(Base|Range)\(\w+,\s*\d)|glProgramUniform\w+\([^,]+,\s*\d)");
+  const std::regex in_code(R"(glBind(Textures|TextureUnit\(\s*\d|Buffer(Base|Range)\(\w+,\s*\d))"
+                           R"(|glProgramUniform\w+\([^,]+,\s*\d)");
   for (const SourceFile& file : all_files()) {
     const bool draws_by_itself =
         file.path.starts_with("bench/scale_pl");  // a shader of its own, in the same file
