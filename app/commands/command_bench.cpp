@@ -108,23 +108,25 @@ int measure(const BenchCommandOptions& options, const GlobalOptions& globals) {
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("bench", "Measures this machine, in about two minutes");
-  auto options = std::make_shared<BenchCommandOptions>();
-  command
-      ->add_option("NAME", options->prefix,
-                   "The beginning of the keys to measure (all but those that take minutes)")
-      ->type_name("");
-  command->add_flag("--json", options->json, "Print one flat JSON object");
-  command->add_flag("--details", options->details, "Tell of single cases on stderr");
-  command->add_option("--child", options->child_folder)->group("");  // for its own child processes
-  command->footer(
+Command bench_command() {
+  const auto options = std::make_shared<BenchCommandOptions>();
+  Command command{"bench", "Measures this machine, in about two minutes"};
+  command.options = {
+      {.names = "NAME",
+       .help = "The beginning of the keys to measure (all but those that take minutes)",
+       .target = text_into(options->prefix)},
+      {.names = "--json", .help = "Print one flat JSON object", .target = &options->json},
+      {.names = "--details", .help = "Tell of single cases on stderr", .target = &options->details},
+      // For its own child processes.
+      {.names = "--child", .type = "TEXT", .target = text_into(options->child_folder), .is_hidden = true},
+  };
+  command.footer =
       "Examples:\n"
       "  prairie bench\n"
       "  prairie bench scale.frame --details\n"
-      "  prairie bench planting --json");
-  command->callback(
-      [options, &globals, &chosen] { chosen = [options, &globals] { return measure(*options, globals); }; });
+      "  prairie bench planting --json";
+  command.run = [options](const GlobalOptions& globals) { return measure(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/commands/scene_options.h"
 #include "app/scenes/info.h"
 #include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
@@ -24,19 +25,19 @@ int print_info(const InfoOptions& options, GlobalOptions globals) {
 
 }  // namespace
 
-void add_info_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("info", "Tells what a scene is, in numbers, and what looks wrong with it");
-  auto options = std::make_shared<InfoOptions>();
-  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
-  command->add_flag("--json", options->json, "Print one JSON object");
-  command->footer(
+Command info_command() {
+  const auto options = std::make_shared<InfoOptions>();
+  Command command{"info", "Tells what a scene is, in numbers, and what looks wrong with it"};
+  command.options = {
+      scene_folder_option(options->folder),
+      {.names = "--json", .help = "Print one JSON object", .target = &options->json},
+  };
+  command.footer =
       "Examples:\n"
       "  prairie info examples/meadow\n"
-      "  prairie info examples/meadow --json | jq .expected_blades");
-  command->callback([options, &globals, &chosen] {
-    chosen = [options, &globals] { return print_info(*options, globals); };
-  });
+      "  prairie info examples/meadow --json | jq .expected_blades";
+  command.run = [options](const GlobalOptions& globals) { return print_info(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
 #include "app/outputs/clip.h"
 #include "app/outputs/picture_file.h"
@@ -18,7 +19,6 @@
 #include "app/scenes/world_time.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
-#include "app/terminal/option_values.h"
 #include "app/terminal/progress.h"
 #include "app/terminal/usage_error.h"
 
@@ -36,7 +36,6 @@ struct RecordOptions {
   std::string camera = kDefaultCamera;
   std::filesystem::path path;  // of the file of a camera's path; none: the camera stands
   std::optional<double> duration_s;
-  std::optional<double> start_s;
   StateOptions state;
   int frames_per_s = 30;
   glm::ivec2 size_px{1280, 720};
@@ -59,8 +58,7 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
   Clip clip({options.output, options.size_px, options.frames_per_s}, globals.threads);
   World world = open_world(options.folder, globals);
   const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera, world);
-  load_asked_state(options.state, world);
-  advance_to_asked_time(options.start_s, world);
+  begin_as_asked(options.state, world);
   const double start_s = world.time_s();
   Recording recording(clip,
                       {path, standing, options.size_px, options.frames_per_s, options.tier, options.samples},
@@ -88,56 +86,49 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
 
 }  // namespace
 
-void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("record", "Draws a clip, without a window");
-  auto options = std::make_shared<RecordOptions>();
-  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
-  command
-      ->add_option(
-          "-o,--output", options->output,
-          "A video that ends in .mp4 (H.264, made by ffmpeg), or a folder for pictures frame-00000.png, …")
-      ->required()
-      ->type_name("FILE|FOLDER");
-  CLI::Option* camera =
-      command
-          ->add_option("--camera", options->camera,
-                       "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
-          ->type_name("NAME|NUMBERS");
-  command
-      ->add_option(
-          "--path", options->path,
-          "Where it goes: lines of time_s,x_m,y_m,z_m,yaw_deg,pitch_deg[,fov_deg] after a line of these "
-          "names; z as +1.7 is above the ground")
-      ->type_name("FILE.csv")
-      ->excludes(camera);
-  command
-      ->add_option_function<std::string>(
-          "--duration",
-          [options](const std::string& text) {
-            options->duration_s = number_option("--duration", text, 0.0, kLongestS);
-          },
-          "Seconds (the path's, or 10)")
-      ->type_name("S");
-  command
-      ->add_option_function<std::string>(
-          "--fps",
-          [options](const std::string& text) {
-            options->frames_per_s = int_option("--fps", text, 1, kMostFramesPerS);
-          },
-          "Frames a second (30)")
-      ->type_name("N");
-  add_time_option(*command, options->start_s);
-  add_state_options(*command, options->state);
-  add_size_option(*command, options->size_px);
-  add_tier_option(*command, options->tier);
-  add_samples_option(*command, options->samples);
-  command->footer(
+Command record_command() {
+  const auto options = std::make_shared<RecordOptions>();
+  Command command{"record", "Draws a clip, without a window"};
+  command.options = {
+      scene_folder_option(options->folder),
+      {.names = "-o,--output",
+       .type = "FILE|FOLDER",
+       .help = "A video that ends in .mp4 (H.264, made by ffmpeg), or a folder for pictures frame-00000.png, "
+               "…",
+       .target = text_into(options->output),
+       .is_required = true},
+      {.names = "--camera",
+       .type = "NAME|NUMBERS",
+       .help = "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)",
+       .target = text_into(options->camera)},
+      {.names = "--path",
+       .type = "FILE.csv",
+       .help = "Where it goes: lines of time_s,x_m,y_m,z_m,yaw_deg,pitch_deg[,fov_deg] after a line of these "
+               "names; z as +1.7 is above the ground",
+       .target = text_into(options->path),
+       .excludes = {"--camera"}},
+      {.names = "--duration",
+       .type = "S",
+       .help = "Seconds (the path's, or 10)",
+       .target = number_into(options->duration_s, 0.0, kLongestS)},
+      {.names = "--fps",
+       .type = "N",
+       .help = "Frames a second (30)",
+       .target = whole_number_into(options->frames_per_s, 1, kMostFramesPerS)},
+      time_option(options->state),
+      load_state_option(options->state),
+      save_state_option(options->state),
+      picture_size_option(options->size_px),
+      picture_tier_option(options->tier),
+      picture_samples_option(options->samples),
+  };
+  command.footer =
       "Examples:\n"
       "  prairie record examples/meadow -o wind.mp4 --duration 8 --camera close --samples 4\n"
       "  prairie record examples/meadow -o walk.mp4 --path walk.csv --size 1920x1080 --time 5\n"
-      "  prairie record examples/meadow -o frames --duration 2 --fps 24 --size 640x360");
-  command->callback(
-      [options, &globals, &chosen] { chosen = [options, &globals] { return record(*options, globals); }; });
+      "  prairie record examples/meadow -o frames --duration 2 --fps 24 --size 640x360";
+  command.run = [options](const GlobalOptions& globals) { return record(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie
