@@ -1,13 +1,14 @@
 #include "agents/convex_hull.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <set>
 
 #include "files/error.h"
@@ -17,7 +18,6 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 
 std::vector<Point> checked(std::span<const glm::dvec3> points_m) {
   if (points_m.size() < 4 || points_m.size() > kMostHullPoints) {
@@ -51,28 +51,26 @@ std::vector<Point> checked(std::span<const glm::dvec3> points_m) {
 
 ConvexHull convex_hull(std::span<const glm::dvec3> points_m) {
   const std::vector<Point> points = checked(points_m);
-  Mesh mesh;
-  CGAL::convex_hull_3(points.begin(), points.end(), mesh);
+  std::vector<Point> corners;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  CGAL::convex_hull_3(points.begin(), points.end(), corners, faces);
 
   // CGAL's order depends on where things lie in memory.
-  std::vector<Mesh::Vertex_index> order(mesh.vertices().begin(), mesh.vertices().end());
-  std::ranges::sort(
-      order, [&](Mesh::Vertex_index a, Mesh::Vertex_index b) { return mesh.point(a) < mesh.point(b); });
-  std::vector<std::uint32_t> place(mesh.num_vertices());
+  std::vector<std::uint32_t> order(corners.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return corners[a] < corners[b]; });
+  std::vector<std::uint32_t> place(corners.size());
   ConvexHull hull;
   hull.vertices_m.reserve(order.size());
-  for (const Mesh::Vertex_index vertex : order) {
-    place[vertex.idx()] = static_cast<std::uint32_t>(hull.vertices_m.size());
-    const Point& point = mesh.point(vertex);
+  for (const std::uint32_t corner : order) {
+    place[corner] = static_cast<std::uint32_t>(hull.vertices_m.size());
+    const Point& point = corners[corner];
     hull.vertices_m.emplace_back(point.x(), point.y(), point.z());
     hull.extent_m = std::max(hull.extent_m, glm::length(hull.vertices_m.back()));
   }
   std::vector<std::set<std::uint32_t>> adjacent(hull.vertices_m.size());
-  for (const Mesh::Face_index face : mesh.faces()) {
-    std::array<std::uint32_t, 3> triangle{};
-    std::size_t corner = 0;
-    for (const Mesh::Vertex_index vertex : mesh.vertices_around_face(mesh.halfedge(face)))
-      triangle.at(corner++) = place[vertex.idx()];
+  for (std::array<std::uint32_t, 3> triangle : faces) {
+    for (std::uint32_t& corner : triangle) corner = place[corner];
     std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     hull.triangles.push_back(triangle);
     for (std::size_t from = 0; from < 3; ++from) {

@@ -9,7 +9,6 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <unordered_map>
 #include <utility>
 
 #include "agents/foot_treads.h"
@@ -17,6 +16,8 @@
 #include "agents/plan_cell.h"
 #include "agents/plane_vectors.h"
 #include "agents/skeleton.h"
+#include "agents/strewn_walkers.h"
+#include "agents/walker_noise.h"
 #include "animation/heading.h"
 #include "files/error.h"
 #include "shaders/kernels/kernels.h"
@@ -30,45 +31,8 @@ constexpr double kMostPushM = 1.0;       // by a mover, in a step
 constexpr double kFasterM_per_s2 = 1.2, kSlowerM_per_s2 = 3.0;
 constexpr double kTurnRate = 3.5;  // 1/s, of the angle that is left
 constexpr double kMostTurnRad_per_s = 2.6;
-constexpr double kNoiseKnotS = 0.8;                            // between independent values of the noise
 constexpr std::size_t kMostLimits = 24, kMostFirmLimits = 20;  // the others are for movers
-constexpr int kMostTries = 400;                                // to find room for a walker
-constexpr double kApartM = 0.05;                               // at the start
 constexpr double kStandsBelow = 1e-3;                          // m/s
-
-enum class Purpose : std::uint32_t { kStart = 0x77616c6bu, kSpeedNoise, kHeadingNoise, kWander, kTraits };
-
-std::array<double, 3> units(std::uint32_t seed, std::uint32_t walker, Purpose purpose, std::uint32_t n) {
-  Kernels kernels;
-  const glm::uvec3 words =
-      kernels.hash_uvec3(glm::uvec3(seed ^ kernels.hash_u32(static_cast<std::uint32_t>(purpose)), walker, n));
-  return {static_cast<double>(kernels.unit_from_u32(words.x)),
-          static_cast<double>(kernels.unit_from_u32(words.y)),
-          static_cast<double>(kernels.unit_from_u32(words.z))};
-}
-
-/// Gaussian but for its tails, which end at ±6: the sum of twelve uniform numbers.
-double gaussian(std::uint32_t seed, std::uint32_t walker, Purpose purpose, std::uint32_t n) {
-  Kernels kernels;
-  double sum = 0.0;
-  for (std::uint32_t part = 0; part < 2; ++part) {
-    const glm::uvec3 words = kernels.hash_uvec3(
-        glm::uvec3(seed ^ kernels.hash_u32(static_cast<std::uint32_t>(purpose)), walker, 2 * n + part));
-    for (const std::uint32_t word : {words.x, words.y, words.z})
-      sum += static_cast<double>(kernels.unit_from_low16(word)) +
-             static_cast<double>(kernels.unit_from_high16(word));
-  }
-  return sum - 6.0 + 12.0 * 0.5 / 65536.0;
-}
-
-/// Of mean 0 and deviation 1 at all times, smooth in time.
-double noise_at(std::uint32_t seed, std::uint32_t walker, Purpose purpose, double time_s) {
-  const double knots = time_s / kNoiseKnotS, knot = std::floor(knots), t = knots - knot;
-  const auto n = static_cast<std::uint32_t>(static_cast<std::int64_t>(knot));
-  const double a = 1.0 - t, b = t;
-  return (a * gaussian(seed, walker, purpose, n) + b * gaussian(seed, walker, purpose, n + 1)) /
-         std::sqrt(a * a + b * b);
-}
 
 /// Towards `wanted` by what a step's time allows.
 glm::dvec2 turned_towards(glm::dvec2 forward, glm::dvec2 wanted, double dt_s) {
@@ -89,17 +53,6 @@ double share_on_slope(double grade) {
 
 void nearer(const PlanDistance& found, Percept::Kind kind, Percept& nearest) {
   if (found.distance_m < nearest.distance_m) nearest = {kind, found.distance_m, found.toward};
-}
-
-PlanDistance between(const Disc& from, const Disc& to) {
-  const glm::dvec2 way = to.centre_m - from.centre_m;
-  return {glm::length(way) - from.radius_m - to.radius_m, unit(way, {1.0, 0.0})};
-}
-
-bool is_beyond(const FootprintBox& box, glm::dvec2 position_m, double reach_m) {
-  const glm::dvec2 apart =
-      glm::max(glm::max(box.low_m - position_m, position_m - box.high_m), glm::dvec2(0.0));
-  return glm::dot(apart, apart) > reach_m * reach_m;
 }
 
 double reach_of(std::span<const WalkerGroup> groups) {
@@ -161,86 +114,10 @@ Crowd::Crowd(std::span<const WalkerGroup> groups, std::vector<Footprint> obstacl
       gait_(gait),
       seed_(Kernels{}.hash_u32(static_cast<std::uint32_t>(seed) ^
                                Kernels{}.hash_u32(static_cast<std::uint32_t>(seed >> 32)))) {
-  constexpr double kCellM = 2.0;  // at least as wide as two bodies
-  std::unordered_map<std::int64_t, std::vector<std::uint32_t>> placed;
-  std::size_t total = 0;
-  for (const WalkerGroup& group : groups) total += group.count;
-  if (total > kMostWalkers)
-    throw BadInput("", "count", fmt::format("{} walkers", total),
-                   fmt::format("at most {} in all", kMostWalkers));
-
-  // What is in the way of a body, if anything.
-  const auto obstruction = [&](const Disc& body, double apart_m) -> const char* {
-    for (const std::uint32_t n : obstacles_.near(body.centre_m)) {
-      if (is_beyond(obstacles_.box(n), body.centre_m, body.radius_m + apart_m)) continue;
-      if (plan_distance(body, obstacles_.footprints()[n]).distance_m < apart_m)
-        return "inside of an obstacle or beyond a wall";
-    }
-    const PlanCell here = plan_cell(body.centre_m, kCellM);
-    for (int j = here.j - 1; j <= here.j + 1; ++j) {
-      for (int i = here.i - 1; i <= here.i + 1; ++i) {
-        const auto cell = placed.find(key_of({i, j}));
-        if (cell == placed.end()) continue;
-        for (const std::uint32_t other : cell->second) {
-          const Disc there{walkers_[other].position_m, traits_[other].radius_m};
-          if (between(body, there).distance_m < apart_m) return "on the place of another walker";
-        }
-      }
-    }
-    return nullptr;
-  };
-
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const WalkerGroup& group = groups[g];
-    check(group);
-    groups_.push_back({group.goals});
-    for (std::uint32_t n = 0; n < group.count; ++n) {
-      const auto id = static_cast<std::uint32_t>(walkers_.size());
-      const auto spread = [](double unit_share, double most) {
-        return 1.0 + most * (2.0 * unit_share - 1.0);
-      };
-      const std::array<double, 3> own = units(seed_, id, Purpose::kTraits, 0);
-      WalkerTraits traits;
-      traits.group = static_cast<std::uint32_t>(g);
-      traits.id = id;
-      traits.height_m = group.height_m * spread(own[0], group.height_spread);
-      traits.radius_m = group.body_radius_m * traits.height_m / kFigureHeightM;
-      traits.speed_m_per_s = group.speed_m_per_s * spread(own[1], group.speed_spread);
-      traits.sensor_m = group.sensor_m;
-      traits.noise = group.noise;
-      traits.behaviour = find_behaviour(group.behaviour);
-
-      Walker walker;
-      walker.forward = unit(direction_of(6.283185307179586 * own[2]), {1.0, 0.0});
-      if (!group.starts_m.empty()) {
-        walker.position_m = group.starts_m[n];
-        if (const char* fault = obstruction({walker.position_m, traits.radius_m}, 0.0); fault != nullptr) {
-          throw BadInput(
-              "", "starts_m",
-              fmt::format("walker {} {} ([{}, {}])", n, fault, walker.position_m.x, walker.position_m.y),
-              "a free place");
-        }
-      } else {
-        bool has_room = false;
-        for (int attempt = 0; attempt < kMostTries && !has_room; ++attempt) {
-          const std::array<double, 3> dart =
-              units(seed_, id, Purpose::kStart, static_cast<std::uint32_t>(attempt));
-          walker.position_m = group.centre_m +
-                              group.radius_m * std::sqrt(dart[0]) * direction_of(6.283185307179586 * dart[1]);
-          has_room = obstruction({walker.position_m, traits.radius_m}, kApartM) == nullptr;
-        }
-        if (!has_room) {
-          throw BadInput("", "radius_m", fmt::format("no room for walker {} of {}", n + 1, group.count),
-                         "a wider disc, or one with fewer obstacles");
-        }
-      }
-      traits.home_m = walker.position_m;
-      walker.footing = standing(walker.position_m, walker.forward, traits.height_m / kFigureHeightM);
-      placed[key_of(plan_cell(walker.position_m, kCellM))].push_back(id);
-      traits_.push_back(traits);
-      walkers_.push_back(walker);
-    }
-  }
+  for (const WalkerGroup& group : groups) groups_.push_back({group.goals});
+  StrewnWalkers strewn = strewn_walkers(groups, obstacles_, seed_);
+  walkers_ = std::move(strewn.walkers);
+  traits_ = std::move(strewn.traits);
   steered_.resize(walkers_.size());
 }
 
@@ -250,7 +127,7 @@ Percept Crowd::perceived(std::size_t index, const Neighbours& neighbours,
   const Disc body{walkers_[index].position_m, traits.radius_m};
   Percept nearest{Percept::Kind::kNothing, traits.sensor_m, walkers_[index].forward};
   neighbours.for_near(body.centre_m, [&](std::uint32_t other, const Disc& there) {
-    if (other != index) nearer(between(body, there), Percept::Kind::kWalker, nearest);
+    if (other != index) nearer(disc_distance(body, there), Percept::Kind::kWalker, nearest);
   });
   for (const std::uint32_t n : obstacles_.near(body.centre_m)) {
     if (is_beyond(obstacles_.box(n), body.centre_m, body.radius_m + nearest.distance_m)) continue;
@@ -284,13 +161,12 @@ MotorCommand Crowd::decided(std::size_t index, const Percept& nearest, double ti
   sight.sensor_m = traits.sensor_m;
   sight.speed_m_per_s = traits.speed_m_per_s;
   sight.home_m = traits.home_m;
-  sight.turn_noise = noise_at(seed_, traits.id, Purpose::kWander, 0.5 * time_s);
+  sight.turn_noise = noise_at(seed_, traits.id, NoiseOf::kWander, 0.5 * time_s);
   sight.goals = groups_[traits.group].goals;
   MotorCommand command = traits.behaviour->decide(sight, memory);
   const double sigma = noise_deviation(traits.noise, nearest.distance_m, traits.sensor_m);
-  command.speed_m_per_s *=
-      std::max(1.0 + sigma * noise_at(seed_, traits.id, Purpose::kSpeedNoise, time_s), 0.0);
-  const double aside = sigma * noise_at(seed_, traits.id, Purpose::kHeadingNoise, time_s);
+  command.speed_m_per_s *= std::max(1.0 + sigma * noise_at(seed_, traits.id, NoiseOf::kSpeed, time_s), 0.0);
+  const double aside = sigma * noise_at(seed_, traits.id, NoiseOf::kHeading, time_s);
   command.heading = unit(command.heading + aside * left_of(command.heading), command.heading);
   return command;
 }
@@ -332,7 +208,7 @@ Walker Crowd::moved(std::size_t index, const Neighbours& neighbours, const Crowd
   if (nearest.distance_m < reach_m) {
     neighbours.for_near(body.centre_m, [&](std::uint32_t other, const Disc& there) {
       if (other == index) return;
-      const PlanDistance found = between(body, there);
+      const PlanDistance found = disc_distance(body, there);
       if (found.distance_m < reach_m) limit(found.toward, 0.5 * (found.distance_m - kSkinM));
     });
     for (const std::uint32_t n : obstacles_.near(body.centre_m)) {

@@ -3,12 +3,15 @@
 // nobody leaves they come to this.
 #pragma once
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <variant>
 #include <vector>
 
 #include "agents/driven_mover.h"
 #include "agents/mover.h"
+#include "agents/plane_vectors.h"
 
 namespace prairie {
 
@@ -35,6 +38,19 @@ struct PlanDistance {
   glm::dvec2 toward{1.0, 0.0};  // unit, from the disc to the footprint
 };
 PlanDistance plan_distance(const Disc& from, const Footprint& to);
+
+/// The same between discs, in closed form.
+inline PlanDistance disc_distance(const Disc& from, const Disc& to) {
+  const glm::dvec2 way = to.centre_m - from.centre_m;
+  return {glm::length(way) - from.radius_m - to.radius_m, unit(way, {1.0, 0.0})};
+}
+
+/// Whether all of the box is farther than that from the place.
+inline bool is_beyond(const FootprintBox& box, glm::dvec2 position_m, double reach_m) {
+  const glm::dvec2 apart =
+      glm::max(glm::max(box.low_m - position_m, position_m - box.high_m), glm::dvec2(0.0));
+  return glm::dot(apart, apart) > reach_m * reach_m;
+}
 
 /// A stone's disc; of a cart the rectangle about its box and wheels.
 Footprint footprint_of(MoverKind kind, double radius_m, const MoverPlace& place);

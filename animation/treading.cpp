@@ -15,34 +15,36 @@
 #include "animation/tread_pushes.h"
 
 namespace prairie {
-namespace {
-
-// Grass whose map says nothing less recovers in this time at the soonest.
-constexpr float kLeastRecoveryS = 0.1f;
 
 /// A page that a path may reach.
-struct Visit {
+struct Treading::Visit {
   PageIndex page;
   std::uint32_t path;  // in the order of ids
 
   auto operator<=>(const Visit&) const = default;
 };
 
-void add_visits(const TreadPath& path, std::uint32_t index, double spacing_m, std::vector<Visit>& visits) {
-  const PageIndex first = page_of(square_of(path.low_m, spacing_m).south_west);
-  const PageIndex last = page_of(square_of(path.high_m, spacing_m).south_west);
-  const double side_m = kPageNodes * spacing_m;
-  for (int j = first.j; j <= last.j; ++j) {
-    for (int i = first.i; i <= last.i; ++i) {
-      // A long step reaches few of the pages in its box.
-      const glm::dvec2 centre_m = (glm::dvec2(i, j) + 0.5) * side_m - path.from_m;
-      const glm::dvec2 forward(path.forward);
-      const double along_m = std::clamp(glm::dot(centre_m, forward), 0.0, static_cast<double>(path.length_m));
-      const double apart_m = glm::length(centre_m - along_m * forward);
-      if (apart_m <= static_cast<double>(path.reach_m) + 0.71 * side_m) visits.push_back({{j, i}, index});
-    }
-  }
-}
+/// What a step's bodies do.
+struct Treading::Passage {
+  std::vector<TreadPath> paths;
+  std::vector<Visit> visits;  // by page
+  double from_s, to_s;
+};
+
+/// A page and the paths that may reach it.
+struct Treading::VisitedPage {
+  std::span<const Visit> visits;
+  NodeField<TreadNode>::Page* nodes;
+  NodeField<float>::Page* wear;
+
+  PageIndex index() const { return visits.front().page; }
+};
+
+namespace {
+
+// Grass whose map says nothing less recovers in this time at the soonest.
+constexpr float kLeastRecoveryS = 0.1f;
+constexpr std::size_t kPagesAtOnce = 8;  // that a thread takes
 
 /// Asks for memory that is needed soon.
 void fetch(const TreadNode* nodes, std::size_t count) {
@@ -115,6 +117,23 @@ void Treading::restore(TreadState state) {
   ++revision_;
 }
 
+void Treading::add_visits(const TreadPath& path, std::uint32_t index, double spacing_m,
+                          std::vector<Visit>& visits) {
+  const PageIndex first = page_of(square_of(path.low_m, spacing_m).south_west);
+  const PageIndex last = page_of(square_of(path.high_m, spacing_m).south_west);
+  const double side_m = kPageNodes * spacing_m;
+  for (int j = first.j; j <= last.j; ++j) {
+    for (int i = first.i; i <= last.i; ++i) {
+      // A long step reaches few of the pages in its box.
+      const glm::dvec2 centre_m = (glm::dvec2(i, j) + 0.5) * side_m - path.from_m;
+      const glm::dvec2 forward(path.forward);
+      const double along_m = std::clamp(glm::dot(centre_m, forward), 0.0, static_cast<double>(path.length_m));
+      const double apart_m = glm::length(centre_m - along_m * forward);
+      if (apart_m <= static_cast<double>(path.reach_m) + 0.71 * side_m) visits.push_back({{j, i}, index});
+    }
+  }
+}
+
 void Treading::step(std::span<const TreadStep> steps, double to_s) {
   const double from_s = state_.time_s;
   check_time(from_s, to_s);
@@ -123,80 +142,21 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return steps[a].id < steps[b].id; });
   check_steps(steps, order);
 
-  std::vector<TreadPath> paths;
-  paths.reserve(steps.size());
-  std::vector<Visit> visits;
+  Passage passage{{}, {}, from_s, to_s};
   for (const std::uint32_t n : order) {
     if (steps[n].weight == 0.0) continue;
-    paths.push_back(path_of(steps[n], settings_.reach_radii, to_s - from_s));
-    add_visits(paths.back(), static_cast<std::uint32_t>(paths.size() - 1), settings_.spacing_m, visits);
+    passage.paths.push_back(path_of(steps[n], settings_.reach_radii, to_s - from_s));
+    add_visits(passage.paths.back(), static_cast<std::uint32_t>(passage.paths.size() - 1),
+               settings_.spacing_m, passage.visits);
   }
-  std::sort(visits.begin(), visits.end());
-
-  // Every page is written by one thread; those that there are not yet are made before.
-  struct Work {
-    std::size_t first_visit, visits_end;
-    NodeField<TreadNode>::Page* nodes;
-    NodeField<float>::Page* wear;
-  };
-  std::vector<Work> work;
-  for (std::size_t n = 0; n < visits.size();) {
-    const PageIndex page = visits[n].page;
-    std::size_t end = n;
-    while (end < visits.size() && visits[end].page == page) ++end;
-    work.push_back({n, end, nullptr, nullptr});
-    n = end;
-  }
-
-  const oneapi::tbb::blocked_range<std::size_t> all_work(0, work.size(), 8);
-  oneapi::tbb::parallel_for(all_work, [&](const auto& range) {
-    for (std::size_t n = range.begin(); n != range.end(); ++n) {
-      const PageIndex page = visits[work[n].first_visit].page;
-      work[n].nodes = state_.nodes.find_page(page);
-      work[n].wear = state_.wear.find_page(page);
-    }
-  });
-  for (Work& one : work) {
-    const PageIndex page = visits[one.first_visit].page;
-    if (one.nodes == nullptr) one.nodes = &state_.nodes.touch_page(page);
-    if (one.wear == nullptr) one.wear = &state_.wear.touch_page(page);
-  }
-
-  oneapi::tbb::parallel_for(all_work, [&](const auto& range) {
-    PagePushes pushes;
-    for (std::size_t n = range.begin(); n != range.end(); ++n) {
-      const std::span<const Visit> visitors(&visits[work[n].first_visit],
-                                            work[n].visits_end - work[n].first_visit);
-      const PageIndex page = visitors.front().page;
-      PageBox all;
-      bool one_stands = false;
-      for (const Visit& visit : visitors) {
-        const PageBox box = reached(paths[visit.path], page, settings_.spacing_m);
-        if (box.first_i > box.last_i || box.first_j > box.last_j) continue;
-        one_stands |= paths[visit.path].stands;
-        all = {std::min(all.first_i, box.first_i), std::min(all.first_j, box.first_j),
-               std::max(all.last_i, box.last_i), std::max(all.last_j, box.last_j)};
-      }
-      if (all.first_i > all.last_i) continue;
-      const auto slot_at = [&](int j) { return static_cast<std::size_t>(j * kPageNodes + all.first_i); };
-      const std::size_t columns = static_cast<std::size_t>(all.last_i - all.first_i + 1);
-      // Nodes of a wide meadow are not in the cache: they are fetched while the pushes are summed.
-      for (int j = all.first_j; j <= all.last_j; ++j) fetch(&(*work[n].nodes)[slot_at(j)], columns);
-      pushes.clear(all.first_j, all.last_j, one_stands);
-      for (const Visit& visit : visitors) {
-        const TreadPath& path = paths[visit.path];
-        add_pushes(path, page, reached(path, page, settings_.spacing_m), settings_.spacing_m, pushes);
-      }
-      for (int j = all.first_j; j <= all.last_j; ++j) {
-        for (std::size_t slot = slot_at(j); slot < slot_at(j) + columns; ++slot) {
-          if (!pushes.touches(slot)) continue;
-          TreadNode& node = (*work[n].nodes)[slot];
-          if (node.blades_recovery_s == 0.0f) node.blades_recovery_s = blades_recovery_s(page, slot);
-          press(settings_, pushes.at(slot), from_s, to_s, node, (*work[n].wear)[slot]);
-        }
-      }
-    }
-  });
+  std::sort(passage.visits.begin(), passage.visits.end());
+  const std::vector<VisitedPage> pages = visited_pages(passage);
+  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, pages.size(), kPagesAtOnce),
+                            [&](const auto& range) {
+                              PagePushes pushes;
+                              for (std::size_t n = range.begin(); n != range.end(); ++n)
+                                press_page(passage, pages[n], pushes);
+                            });
   state_.time_s = to_s;
   ++revision_;
 
@@ -204,6 +164,64 @@ void Treading::step(std::span<const TreadStep> steps, double to_s) {
   if (std::floor(from_s) != std::floor(to_s)) {
     state_.nodes.free_pages([to_s](const TreadNode& node) { return rest_time_s(node) <= to_s; });
     state_.wear.free_pages([](float wear) { return wear == 0.0f; });
+  }
+}
+
+/// The pages that paths visit, each once, so that every page is written by one thread; those that there are
+/// not yet are made.
+std::vector<Treading::VisitedPage> Treading::visited_pages(const Passage& passage) {
+  std::vector<VisitedPage> pages;
+  const std::vector<Visit>& visits = passage.visits;
+  for (std::size_t n = 0; n < visits.size();) {
+    std::size_t end = n;
+    while (end < visits.size() && visits[end].page == visits[n].page) ++end;
+    pages.push_back({std::span(visits).subspan(n, end - n), nullptr, nullptr});
+    n = end;
+  }
+  oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, pages.size(), kPagesAtOnce),
+                            [&](const auto& range) {
+                              for (std::size_t n = range.begin(); n != range.end(); ++n) {
+                                pages[n].nodes = state_.nodes.find_page(pages[n].index());
+                                pages[n].wear = state_.wear.find_page(pages[n].index());
+                              }
+                            });
+  for (VisitedPage& page : pages) {
+    if (page.nodes == nullptr) page.nodes = &state_.nodes.touch_page(page.index());
+    if (page.wear == nullptr) page.wear = &state_.wear.touch_page(page.index());
+  }
+  return pages;
+}
+
+/// Presses the nodes of a page that the passage reaches; `pushes` is for its use alone.
+void Treading::press_page(const Passage& passage, const VisitedPage& page, PagePushes& pushes) const {
+  PageBox all;
+  bool one_stands = false;
+  for (const Visit& visit : page.visits) {
+    const TreadPath& path = passage.paths[visit.path];
+    const PageBox box = reached(path, page.index(), settings_.spacing_m);
+    if (box.first_i > box.last_i || box.first_j > box.last_j) continue;
+    one_stands |= path.stands;
+    all = {std::min(all.first_i, box.first_i), std::min(all.first_j, box.first_j),
+           std::max(all.last_i, box.last_i), std::max(all.last_j, box.last_j)};
+  }
+  if (all.first_i > all.last_i) return;
+  const auto slot_at = [&](int j) { return static_cast<std::size_t>(j * kPageNodes + all.first_i); };
+  const std::size_t columns = static_cast<std::size_t>(all.last_i - all.first_i + 1);
+  // Nodes of a wide meadow are not in the cache: they are fetched while the pushes are summed.
+  for (int j = all.first_j; j <= all.last_j; ++j) fetch(&(*page.nodes)[slot_at(j)], columns);
+  pushes.clear(all.first_j, all.last_j, one_stands);
+  for (const Visit& visit : page.visits) {
+    const TreadPath& path = passage.paths[visit.path];
+    add_pushes(path, page.index(), reached(path, page.index(), settings_.spacing_m), settings_.spacing_m,
+               pushes);
+  }
+  for (int j = all.first_j; j <= all.last_j; ++j) {
+    for (std::size_t slot = slot_at(j); slot < slot_at(j) + columns; ++slot) {
+      if (!pushes.touches(slot)) continue;
+      TreadNode& node = (*page.nodes)[slot];
+      if (node.blades_recovery_s == 0.0f) node.blades_recovery_s = blades_recovery_s(page.index(), slot);
+      press(settings_, pushes.at(slot), passage.from_s, passage.to_s, node, (*page.wear)[slot]);
+    }
   }
 }
 

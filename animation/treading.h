@@ -12,12 +12,16 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
+#include <vector>
 
 #include "animation/node_field.h"
 #include "animation/tread_node.h"
 #include "maps/node_grid.h"
 
 namespace prairie {
+
+struct PagePushes;
+struct TreadPath;
 
 /// A body's way in a step: a foot on the ground, a wheel, a stone. A body that stands has to_m = from_m; one
 /// in the air is left out.
@@ -75,6 +79,14 @@ class Treading {
   std::size_t bytes() const { return state_.nodes.bytes() + state_.wear.bytes(); }
 
  private:
+  struct Visit;
+  struct Passage;
+  struct VisitedPage;
+
+  static void add_visits(const TreadPath& path, std::uint32_t index, double spacing_m,
+                         std::vector<Visit>& visits);
+  std::vector<VisitedPage> visited_pages(const Passage& passage);
+  void press_page(const Passage& passage, const VisitedPage& page, PagePushes& pushes) const;
   float blades_recovery_s(PageIndex page, std::size_t slot) const;
 
   TreadSettings settings_;

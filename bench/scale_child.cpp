@@ -130,7 +130,7 @@ std::vector<Measurement> run_scale_child(const std::string& task, const fs::path
   Renderer renderer(world, options.shader_folder);
   double first_frame_at_s = 0.0;
   for (int frame = 0; frame < kWalkFrames; ++frame) {
-    renderer.draw(walk_camera(world, frame), {}, target.framebuffer());
+    renderer.draw({walk_camera(world, frame), {}, target.framebuffer()});
     glFinish();
     if (frame == 0) first_frame_at_s = now_s();
   }

@@ -3,7 +3,8 @@
 #include <chrono>
 
 #include "bench/scale_plain.h"
-#include "render/light/light.h"
+#include "render/frame/frame_blocks.h"
+#include "render/light/scene_light.h"
 
 namespace prairie {
 
@@ -11,10 +12,8 @@ FrameLimit::FrameLimit(const World& world, const std::filesystem::path& shader_f
     : world_(&world),
       program_(make_plain_program()),
       planner_(world.meadow()),
-      sward_(world.meadow()),
-      blades_(world, shader_folder) {
-  sward_.set_light(frame_params(world, FramePlan{}, GroundLook{}, FieldLook{}));
-}
+      sward_(world.meadow(), scene_light(world.scene().sun)),
+      blades_(world.meadow(), shader_folder) {}
 
 void FrameLimit::prepare(const Camera& camera, const OffscreenTarget& target) {
   camera_ = camera;
@@ -22,11 +21,11 @@ void FrameLimit::prepare(const Camera& camera, const OffscreenTarget& target) {
   const FramePlan plan =
       planner_.plan(camera, {.quality = lod.quality, .blade_distance_m = lod.blade_distance_m});
   stream_.begin_frame();
-  const FrameParams frame = frame_params(*world_, plan, GroundLook{}, sward_.field());
-  const StreamBuffer::Slice slice = stream_.write(&frame, sizeof(frame));
-  glBindBufferRange(GL_UNIFORM_BUFFER, 0, slice.buffer, slice.offset, sizeof(frame));
+  const Meadow& meadow = world_->meadow();
+  bind(stream_, {view_params(plan, meadow), scene_light(world_->scene().sun),
+                 field_params(meadow, sward_.field(), glm::dvec2(1.0))});
   sward_.bind();
-  blades_.prepare(stream_, plan, sward_.species());
+  blades_.prepare(stream_, {plan.cells, plan.groups, plan.tables}, sward_.species());
   measure_ms(target);  // the first drawing grows the vertices
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "files/error.h"
+#include "render/gl/draw_state.h"
 
 namespace prairie {
 namespace {
@@ -47,12 +48,7 @@ GlProgram make_plain_program() {
 void begin_plain(GLuint program, GLuint framebuffer, const Camera& camera) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, camera.size_px.x, camera.size_px.y);
-  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
+  set_draw_state({});
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(0.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

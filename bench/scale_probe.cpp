@@ -1,5 +1,6 @@
 #include "bench/scale_probe.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "bench/scale_plain.h"
+#include "render/gl/vertex_layout.h"
 
 namespace prairie {
 namespace {
@@ -24,6 +26,8 @@ constexpr double kBendM = 0.15;
 constexpr double kNearM = 1.0;
 constexpr double kFarM = 40.0;
 constexpr double kHalfAngleDeg = 40.0;  // as wide as the view
+
+constexpr std::array<VertexAttribute, 1> kVertexAttributes{{{3, GL_FLOAT, 0}}};
 
 /// The fractional parts of multiples of an irrational number: evenly spread in 0…1.
 double spread(std::uint32_t n, double irrational) {
@@ -49,7 +53,8 @@ void append_blade(std::uint32_t n, std::vector<glm::vec3>& vertices) {
 
 }  // namespace
 
-BladeProbe::BladeProbe() : program_(make_plain_program()), vertex_array_(make_vertex_array()) {
+BladeProbe::BladeProbe()
+    : program_(make_plain_program()), vertex_array_(make_vertex_array(kVertexAttributes, "probe")) {
   camera_.pitch_rad = glm::radians(-2.0);
   std::vector<glm::vec3> vertices;
   std::vector<std::uint32_t> indices;
@@ -63,12 +68,8 @@ BladeProbe::BladeProbe() : program_(make_plain_program()), vertex_array_(make_ve
   }
   vertices_.upload(std::span<const glm::vec3>(vertices));
   indices_.upload(std::span<const std::uint32_t>(indices));
-  const GLuint array = vertex_array_.get();
-  glEnableVertexArrayAttrib(array, 0);
-  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, 0);
-  glVertexArrayAttribBinding(array, 0, 0);
-  glVertexArrayVertexBuffer(array, 0, vertices_.get(), 0, sizeof(glm::vec3));
-  glVertexArrayElementBuffer(array, indices_.get());
+  set_vertices(vertex_array_, vertices_, sizeof(glm::vec3));
+  glVertexArrayElementBuffer(vertex_array_.get(), indices_.get());
 }
 
 double BladeProbe::measure_ms(const OffscreenTarget& target) const {

@@ -18,8 +18,8 @@ class BladeProbe {
  private:
   GlProgram program_;
   GlVertexArray vertex_array_;
-  GlBuffer vertices_;
-  GlBuffer indices_;
+  GlBuffer vertices_{"probe vertices"};
+  GlBuffer indices_{"probe indices"};
   Camera camera_;
 };
 

@@ -63,7 +63,7 @@ class Column {
     const auto start = std::chrono::steady_clock::now();
     double step_ms = 0.0;
     stages_ = renderer_
-                  .draw(camera_, {}, target.framebuffer(),
+                  .draw({camera_, {}, target.framebuffer()},
                         [&] { step_ms = elapsed_ms([&] { world_.step(kStepS); }); })
                   .gpu_times;
     glFinish();

@@ -16,7 +16,7 @@ void WalkingEye::step(int frame, const OffscreenTarget& target) {
     world_.step(kWalkFrameS);
   };
   const auto start = std::chrono::steady_clock::now();
-  statistics_ = renderer_.draw(seen, {}, target.framebuffer(),
+  statistics_ = renderer_.draw({seen, {}, target.framebuffer()},
                                moves ? Renderer::Meanwhile(go_on) : Renderer::Meanwhile());
   glFinish();
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;

@@ -15,6 +15,8 @@ function(prairie_tests name)
   target_compile_definitions(${target} PRIVATE ${prairie_definitions})
   target_precompile_headers(${target} REUSE_FROM prairie_precompiled_tests)
   target_link_libraries(${target} PRIVATE GTest::gtest_main prairie_flags ${ARG_DEPENDS})
+  target_compile_definitions(${target} PRIVATE
+    PRAIRIE_SOURCES="${PROJECT_SOURCE_DIR}" PRAIRIE_TEST_SHADERS="${PROJECT_SOURCE_DIR}/shaders")
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()

@@ -154,8 +154,55 @@ void append_feature_table(const Meadow& meadow, const CellPlace& place, int patc
   }
 }
 
-std::uint32_t random_rounding(double expectation, std::uint64_t seed) {
-  return static_cast<std::uint32_t>(std::floor(expectation + unit_from_bits(seed)));
+/// The streams of a cell's species.
+struct CellSeeds {
+  std::uint64_t world_seed;
+  CellPlace place;
+  std::uint32_t species;
+
+  std::uint64_t operator()(Stream stream) const {
+    return cell_seed(world_seed, place.x, place.y, species, stream);
+  }
+};
+
+/// The expectation, rounded at random so that it stays the expectation.
+std::uint32_t rounded_count(const DensityPatches& density, const CellSeeds& seeds) {
+  return static_cast<std::uint32_t>(std::floor(density.integral + unit_from_bits(seeds(kCount))));
+}
+
+/// What the species of a cell share.
+struct CellSurroundings {
+  glm::vec2 offset_m{0.0f};  // from the tile's corner
+  std::uint32_t ground_table = kNoTable;
+  std::uint32_t feature_table = kNoTable;
+  std::uint32_t feature_patches = 0;
+};
+
+/// Appends a species' cell; its `other_density_per_m2` is its own until those of all species are known.
+void append_planted(const SpeciesParams& params, const DensityPatches& density, const CellSeeds& seeds,
+                    const CellSurroundings& around, CellTables& out) {
+  const CellPlace& place = seeds.place;
+  const glm::dvec2 clumps = place.origin_m / static_cast<double>(params.clump_m);
+  const glm::dvec2 clump_floor(std::floor(clumps.x), std::floor(clumps.y));
+  PlantedCell cell{};
+  cell.key = {static_cast<std::uint32_t>(seeds(kSequence)), static_cast<std::uint32_t>(seeds(kAttributes))};
+  cell.species = seeds.species;
+  cell.planted = rounded_count(density, seeds);
+  cell.offset_m = around.offset_m;
+  cell.patch_m = static_cast<float>(density.patch_m);
+  cell.patches = static_cast<std::uint32_t>(density.patches);
+  cell.clump_lattice = glm::ivec2(clump_floor);
+  cell.clump_offset = glm::vec2(clumps - clump_floor);
+  cell.ground_table = around.ground_table;
+  cell.density_table = next_texel(out.tables);
+  cell.clump_seed = static_cast<std::uint32_t>(mix_bits(seeds.world_seed) >> 32);
+  cell.feature_table = around.feature_table;
+  cell.feature_patches = around.feature_patches;
+  cell.side_m = static_cast<float>(place.side_m);
+  cell.rank_offset = static_cast<float>(unit_from_bits(seeds(kRank)) * 0.998 + 0.001);
+  cell.other_density_per_m2 = static_cast<float>(density.integral / (place.side_m * place.side_m));
+  append_density_table(density, out.tables);
+  out.cells.push_back(cell);
 }
 
 }  // namespace
@@ -183,59 +230,52 @@ void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId ti
   const CellPlace place = place_of(meadow, tile, cell);
   const std::size_t first_cell = out.cells.size();
   const double area_m2 = place.side_m * place.side_m;
-  std::uint32_t ground_table = kNoTable;
-  std::uint32_t feature_table = kNoTable;
+  CellSurroundings around;
+  around.offset_m = cell_offset_m(meadow, cell);
+  around.feature_patches = static_cast<std::uint32_t>(lattice.feature_patches);
   double density_sum = 0.0;
 
   for (int s = 0; s < static_cast<int>(meadow.species.size()); ++s) {
     const DensityPatches density =
         density_patches(meadow, place, s, patches_at(meadow, place, lattice.density_patches[s]));
-    const auto seed = [&](Stream stream) {
-      return cell_seed(meadow.seed, place.x, place.y, static_cast<std::uint32_t>(s), stream);
-    };
     density_sum += density.integral / area_m2;
-    const std::uint32_t planted = random_rounding(density.integral, seed(kCount));
-    if (planted == 0) continue;
+    const CellSeeds seeds{meadow.seed, place, static_cast<std::uint32_t>(s)};
+    if (rounded_count(density, seeds) == 0) continue;
 
-    if (ground_table == kNoTable) {
-      ground_table = next_texel(out.tables);
+    if (around.ground_table == kNoTable) {
+      around.ground_table = next_texel(out.tables);
       append_ground_table(meadow, place, tile_base_m(meadow, tile), out.tables);
       if (lattice.feature_patches > 0) {
-        feature_table = next_texel(out.tables);
+        around.feature_table = next_texel(out.tables);
         append_feature_table(meadow, place, lattice.feature_patches, out.tables);
       }
     }
-    const SpeciesParams& params = meadow.species[s].species.params;
-    const glm::dvec2 clumps = place.origin_m / static_cast<double>(params.clump_m);
-    const glm::dvec2 clump_floor(std::floor(clumps.x), std::floor(clumps.y));
-
-    PlantedCell planted_cell{};
-    planted_cell.key = {static_cast<std::uint32_t>(seed(kSequence)),
-                        static_cast<std::uint32_t>(seed(kAttributes))};
-    planted_cell.species = static_cast<std::uint32_t>(s);
-    planted_cell.planted = planted;
-    planted_cell.offset_m = cell_offset_m(meadow, cell);
-    planted_cell.patch_m = static_cast<float>(density.patch_m);
-    planted_cell.patches = static_cast<std::uint32_t>(density.patches);
-    planted_cell.clump_lattice = glm::ivec2(clump_floor);
-    planted_cell.clump_offset = glm::vec2(clumps - clump_floor);
-    planted_cell.ground_table = ground_table;
-    planted_cell.density_table = next_texel(out.tables);
-    planted_cell.clump_seed = static_cast<std::uint32_t>(mix_bits(meadow.seed) >> 32);
-    planted_cell.feature_table = feature_table;
-    planted_cell.feature_patches = static_cast<std::uint32_t>(lattice.feature_patches);
-    planted_cell.side_m = static_cast<float>(place.side_m);
-    planted_cell.rank_offset = static_cast<float>(unit_from_bits(seed(kRank)) * 0.998 + 0.001);
-    planted_cell.other_density_per_m2 =
-        static_cast<float>(density.integral / area_m2);  // until all are known
-    append_density_table(density, out.tables);
-    out.cells.push_back(planted_cell);
+    append_planted(meadow.species[s].species.params, density, seeds, around, out);
   }
   for (std::size_t n = first_cell; n < out.cells.size(); ++n) {
     PlantedCell& planted_cell = out.cells[n];
     planted_cell.other_density_per_m2 =
         static_cast<float>(density_sum - static_cast<double>(planted_cell.other_density_per_m2));
   }
+}
+
+CellTables uniform_cell(const SpeciesParams& species, float density_per_m2, double side_m,
+                        std::uint64_t seed) {
+  const CellPlace place{glm::dvec2(0.0), side_m, 0, 0};
+  DensityPatches density;
+  density.patch_m = side_m;
+  std::fill(density.nodes, density.nodes + 4, density_per_m2);
+  density.has_mass[0] = density_per_m2 > 0.0f;
+  density.integral = static_cast<double>(density_per_m2) * side_m * side_m;
+  CellTables tables;
+  const CellSeeds seeds{seed, place, 0};
+  if (rounded_count(density, seeds) == 0) return tables;
+  CellSurroundings around;
+  around.ground_table = 0;
+  for (int row = 0; row < 3; ++row) append_texel(tables.tables, 0.0, 0.0, 0.0, 0.0);
+  append_planted(species, density, seeds, around, tables);
+  tables.cells.front().other_density_per_m2 = 0.0f;
+  return tables;
 }
 
 std::array<float, 9> ground_heights_m(const CellTables& tables, const PlantedCell& cell) {

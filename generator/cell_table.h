@@ -37,6 +37,11 @@ double tile_base_m(const Meadow& meadow, TileId tile);
 void append_cell(const Meadow& meadow, const PlantingLattice& lattice, TileId tile, int cell,
                  CellTables& out);
 
+/// A cell by itself: level ground from the origin on, one species of one density; empty where that comes to
+/// no blade.
+CellTables uniform_cell(const SpeciesParams& species, float density_per_m2, double side_m,
+                        std::uint64_t seed);
+
 /// The 3 × 3 heights of a cell's ground table, row by row from south, above the tile's base.
 std::array<float, 9> ground_heights_m(const CellTables& tables, const PlantedCell& cell);
 

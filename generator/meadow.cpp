@@ -36,6 +36,16 @@ double tallest_blade_m(const Meadow& meadow) {
   return longest_m.empty() ? 0.0 : *std::max_element(longest_m.begin(), longest_m.end());
 }
 
+double mean_density_per_m2(const PlantedSpecies& species, glm::dvec2 extent_m, int samples) {
+  double sum = 0.0;
+  for (int n = 0; n < samples * samples; ++n) {
+    const glm::dvec2 share = (glm::dvec2(n % samples, n / samples) + 0.5) / static_cast<double>(samples);
+    const float density_per_m2 = species.density_per_m2.sample(share * extent_m);
+    if (density_per_m2 > 0.0f) sum += static_cast<double>(density_per_m2);  // false for NaN
+  }
+  return sum / (samples * samples);
+}
+
 double densest_per_m2(const PlantedSpecies& species) {
   return largest_value(species.density_per_m2);
 }

@@ -36,6 +36,9 @@ std::vector<double> longest_blades_m(const Meadow& meadow);
 /// The largest of them.
 double tallest_blade_m(const Meadow& meadow);
 
+/// The mean density of a species over the field, from `samples` × `samples` places that lie evenly in it.
+double mean_density_per_m2(const PlantedSpecies& species, glm::dvec2 extent_m, int samples);
+
 /// The largest density of a species. Reads its whole map.
 double densest_per_m2(const PlantedSpecies& species);
 

@@ -1,20 +1,21 @@
 // Plans frames: culls the tile quadtree against the camera, chooses each tile's tier and morph, bounds how
 // many blades each cell shows, and lays all out for the renderer (docs/design.md, D3).
 //
-// A morphing tile follows the eye with a little play (hysteresis), so that an eye that trembles at a band
-// does not make grass breathe; a new planner's first plan depends on camera and meadow alone.
+// Tiles morph with a little play (lod/tile_morphs.h): a new planner's first plan depends on camera and meadow
+// alone, later ones by that much on the one before.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "generator/cell_table.h"
 #include "generator/meadow.h"
 #include "lod/frame_plan.h"
 #include "lod/quality.h"
+#include "lod/tile_morphs.h"
+#include "lod/tile_search.h"
 
 namespace prairie {
 
@@ -34,17 +35,16 @@ class Planner {
   FramePlan plan(const Camera& camera, const PlanOptions& options);
 
   /// Makes the next plan a first one.
-  void forget() { morphs_.clear(); }
+  void forget() { morphs_.forget(); }
 
  private:
-  float morph_of(std::uint64_t tile_key, float band, float grazing);
+  float plan_strips(const SeenTile& seen, FramePlan& plan, std::vector<StripTile>& far_strips);
 
   const Meadow* meadow_;
   PlantingLattice lattice_;
   std::vector<double> longest_m_;  // blade of each species
   double tallest_blade_m_ = 0.0;
-  std::unordered_map<std::uint64_t, float> morphs_;       // of the morphing tiles of the last plan
-  std::unordered_map<std::uint64_t, float> next_morphs_;  // and of the plan being made
+  TileMorphs morphs_;
 };
 
 }  // namespace prairie

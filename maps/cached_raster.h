@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "maps/map_file.h"
-#include "maps/raster_file.h"
 #include "maps/value_mapping.h"
+#include "pictures/raster_file.h"
 
 namespace prairie {
 

@@ -5,7 +5,7 @@
 
 #include "files/error.h"
 #include "maps/map_file.h"
-#include "maps/raster_file.h"
+#include "pictures/raster_file.h"
 
 namespace prairie {
 

@@ -12,8 +12,8 @@
 #include "maps/geo_tags.h"
 #include "maps/map_channels.h"
 #include "maps/map_placement.h"
-#include "maps/raster_file.h"
 #include "maps/value_mapping.h"
+#include "pictures/raster_file.h"
 
 namespace prairie {
 namespace {
@@ -35,14 +35,14 @@ ValueCensus read_values(RasterFile& file, const MapSpec& spec, const MapChannels
   file.read(channels.run, [&](const PixelRect& rect, std::span<const float> samples) {
     if (channels.must_equal && !all_grey(channels, samples)) throw ambiguous_channels(file, spec);
     const std::size_t row_values =
-        static_cast<std::size_t>(rect.columns) * static_cast<std::size_t>(value_channels);
-    mapped.resize(row_values * static_cast<std::size_t>(rect.rows));
+        static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(value_channels);
+    mapped.resize(row_values * static_cast<std::size_t>(rect.height));
     mapping.map_pixels(samples, channels.run.count, value_channels, mapped, &census);
     if (values.empty()) return;
-    for (int row = 0; row < rect.rows; ++row) {
-      const std::size_t node_row = static_cast<std::size_t>(file.rows() - 1 - rect.row - row);
+    for (int row = 0; row < rect.height; ++row) {
+      const std::size_t node_row = static_cast<std::size_t>(file.rows() - 1 - rect.y - row);
       const std::size_t first =
-          node_row * static_cast<std::size_t>(file.columns()) + static_cast<std::size_t>(rect.column);
+          node_row * static_cast<std::size_t>(file.columns()) + static_cast<std::size_t>(rect.x);
       std::copy_n(mapped.data() + static_cast<std::size_t>(row) * row_values, row_values,
                   values.data() + first * static_cast<std::size_t>(value_channels));
     }

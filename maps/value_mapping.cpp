@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "files/error.h"
+#include "pictures/srgb.h"
 
 namespace prairie {
 namespace {
@@ -15,11 +16,6 @@ constexpr double kCustomaryNodata = -9999.0;
 constexpr float kHugeNodata = 3.4e38f;
 constexpr double kMaxDensity = 1e5;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
-/// IEC 61966-2-1, encoded to linear.
-float linear_from_srgb(float encoded) {
-  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
 
 /// A nodata value as a file of the given type can hold it.
 double stored(double nodata, SampleType type) {

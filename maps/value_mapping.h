@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "maps/map_file.h"
-#include "maps/raster_file.h"
+#include "pictures/raster_file.h"
 
 namespace prairie {
 

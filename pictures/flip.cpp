@@ -14,15 +14,12 @@
 #include <vector>
 
 #include "pictures/even_odd_filter.h"
+#include "pictures/srgb.h"
 
 namespace prairie {
 namespace {
 
 // Colour spaces.
-
-double linear_of_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 /// XYZ of a colour of luminance 1 and chromaticity (x, y).
 glm::dvec3 xyz_of_chromaticity(double x, double y) {
@@ -169,7 +166,7 @@ struct Seen {
 Seen see(const SrgbImage& image, double pixels_per_degree) {
   std::array<float, 256> linear{};
   for (std::size_t byte = 0; byte < 256; ++byte) {
-    linear[byte] = static_cast<float>(linear_of_srgb(static_cast<double>(byte) / 255.0));
+    linear[byte] = static_cast<float>(linear_from_srgb(static_cast<double>(byte) / 255.0));
   }
   const glm::dmat3 xyz_from_rgb = relative_xyz_from_rgb();
   const glm::mat3 opponent_from_rgb(kOpponentFromRelativeXyz * xyz_from_rgb);

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "pictures/pixel_rect.h"
+
 namespace prairie {
 
 /// A picture in linear light: rows from the top, three floats a pixel.
@@ -18,15 +20,7 @@ struct LinearImage {
   std::span<const float> rgb;
 };
 
-/// In pixels from the top left; must lie in its picture and hold at least one pixel.
-struct PixelRect {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
-
-/// The mean of each channel.
+/// The mean of each channel. `rect` lies in the picture and holds at least one pixel, here and below.
 glm::dvec3 mean_color(const LinearImage& image, const PixelRect& rect);
 
 /// The standard deviation, over the blocks of `rect` (at least one, counted from its top left), of a block's

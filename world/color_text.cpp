@@ -1,18 +1,11 @@
 #include "world/color_text.h"
 
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 
+#include "pictures/srgb.h"
+
 namespace prairie {
-namespace {
-
-float linear_from_srgb(double value) {
-  const double linear = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-  return static_cast<float>(linear);
-}
-
-}  // namespace
 
 std::optional<glm::vec3> linear_from_hex(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
@@ -22,7 +15,7 @@ std::optional<glm::vec3> linear_from_hex(std::string_view text) {
     unsigned value = 0;
     const auto result = std::from_chars(first, first + 2, value, 16);
     if (result.ec != std::errc() || result.ptr != first + 2) return std::nullopt;
-    linear[c] = linear_from_srgb(value / 255.0);
+    linear[c] = static_cast<float>(linear_from_srgb(value / 255.0));
   }
   return linear;
 }

@@ -23,19 +23,7 @@ constexpr std::size_t kMostSpawned = 256;
 // An eye that jumps farther sees grass that it has not seen before.
 constexpr double kJumpM = 24.0;
 
-// Mean density by samples all over the field.
-double mean_density_per_m2(const PlantedSpecies& planted, glm::dvec2 extent_m) {
-  constexpr int kSamples = 32;
-  double sum = 0.0;
-  for (int j = 0; j < kSamples; ++j) {
-    for (int i = 0; i < kSamples; ++i) {
-      const float density =
-          planted.density_per_m2.sample(extent_m * (glm::dvec2(i, j) + 0.5) / double{kSamples});
-      if (std::isfinite(density)) sum += static_cast<double>(density);
-    }
-  }
-  return sum / (kSamples * kSamples);
-}
+constexpr int kDensitySamples = 32;  // along a side of the field
 
 std::vector<SwaySpecies> sway_species(const Scene& scene, const Meadow& meadow) {
   std::vector<SwaySpecies> species;
@@ -43,7 +31,7 @@ std::vector<SwaySpecies> sway_species(const Scene& scene, const Meadow& meadow) 
   for (std::size_t n = 0; n < scene.species.size(); ++n) {
     const SpeciesParams& params = scene.species[n].species.params;
     // By the leaf area that is seen of it.
-    const double area = mean_density_per_m2(meadow.species[n], meadow.extent_m) *
+    const double area = mean_density_per_m2(meadow.species[n], meadow.extent_m, kDensitySamples) *
                         static_cast<double>(params.height_m * params.width_m);
     species.push_back({chain_traits_of(scene.species[n]), static_cast<float>(area)});
     sum += area;

@@ -101,7 +101,7 @@ ExportedFile export_shot(const Shot& shot, const Camera& camera, const ExportOpt
   file.tier = tier_name(shot.tier);
   file.name = fmt::format("tile_{}_{}_{}_{}.png", shot.tile.i, shot.tile.j, file.view, file.tier);
   file.blades_planted = planted_count(world.meadow(), shot.tile);
-  file.blades_drawn = picture.statistics.blades_drawn;
+  file.blades_drawn = renderer.picture_statistics().blades_drawn;
   file.sha256 = sha256_hex(bytes);
   write_output(options.output / file.name, bytes);
   return file;

@@ -53,7 +53,7 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   const Picture picture = renderer.render(camera, frame, options.samples);
   write_output(options.output, encoded_picture(picture, format));
   say_done(fmt::format("{}: {} × {} pixels, {} blades drawn", options.output.string(), picture.width,
-                       picture.height, picture.statistics.blades_drawn),
+                       picture.height, renderer.picture_statistics().blades_drawn),
            globals.quiet);
   return kExitFine;
 }

@@ -1,5 +1,6 @@
 // `prairie view`: the command line of app/viewer/view.h.
 #include <memory>
+#include <string>
 
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
@@ -8,6 +9,8 @@
 #include "app/scenes/camera_option.h"
 #include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
+#include "app/viewer/actions.h"
+#include "app/viewer/key_help.h"
 #include "app/viewer/view.h"
 
 namespace prairie {
@@ -52,26 +55,10 @@ Command view_command() {
       window_frames_option(options->viewer),
       window_screenshot_option(options->viewer),
   };
-  command.footer =
-      "W A S D move, Q and E sink and rise, shift is fast, dragging the mouse turns; F switches between "
-      "walking\n"
-      "and flying, T between tiers, G tints them, M smooths edges; - and = lower and raise the quality;\n"
-      "F12 saves prairie-0001.png, …; H hides the text; Esc ends.\n"
-      "P pauses time and N steps it once meanwhile; [ and ] change the wind's speed, comma and full stop "
-      "its\n"
-      "heading, ; and ' its turbulence; B sends a gust, V a tornado; R lets a stone roll; C takes a cart, "
-      "which\n"
-      "the arrow keys drive, or leaves it; O shows the wind as arrows, then trodden grass as heat, then how "
-      "far\n"
-      "it is from having risen.\n"
-      "Of walkers, K watches the next one and J has the camera free, behind it or about it (dragging turns, "
-      "wheel\n"
-      "or Q and E go nearer or farther); U takes it or gives it back: the arrow keys then walk, turn and "
-      "stand,\n"
-      "shift walks fast; X shows what walkers perceive, their paths, both or neither.\n"
-      "Examples:\n"
-      "  prairie view examples/meadow\n"
-      "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080";
+  command.footer = "Keys:\n" + key_table(viewer_actions()) +
+                   "Examples:\n"
+                   "  prairie view examples/meadow\n"
+                   "  prairie view examples/meadow --camera 64,64,+12,0,-20 --size 1920x1080";
   command.run = [options](const GlobalOptions& globals) { return view(*options, globals); };
   return command;
 }

@@ -1,8 +1,5 @@
 #include "app/viewer/play.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <chrono>
 #include <glm/common.hpp>
@@ -80,34 +77,6 @@ void Play::move_driven(const CartControls& controls, double dt_s) {
   }
 }
 
-void Play::press(int key, const Camera& camera) {
-  switch (key) {
-    case GLFW_KEY_P:
-      toggle_pause();
-      break;
-    case GLFW_KEY_N:
-      step_once();
-      break;
-    case GLFW_KEY_B:
-      send_gust(camera);
-      break;
-    case GLFW_KEY_V:
-      send_tornado(camera);
-      break;
-    case GLFW_KEY_R:
-      roll_stone(camera);
-      break;
-    case GLFW_KEY_C:
-      toggle_cart(camera);
-      break;
-    default: {
-      WindControls wind = wind_;
-      apply_wind_key(key, wind);
-      set_wind(wind);
-    }
-  }
-}
-
 void Play::set_wind(const WindControls& wind) {
   if (wind == wind_) return;
   wind_ = wind;
@@ -144,16 +113,16 @@ void Play::roll_stone(const Camera& camera) {
   put_down(mover_of(*stone_, world_.meadow().ground));
 }
 
-void Play::toggle_cart(const Camera& camera) {
-  if (cart_) {
-    std::erase_if(world_.driven(), [](const DrivenMover& old) { return old.kind == MoverKind::kCart; });
-    cart_.reset();
-    return;
-  }
+void Play::take_cart(const Camera& camera) {
   cart_.emplace();
   cart_->position_m = ahead_m(camera, kCartAheadM);
   cart_->heading_rad = heading_rad(camera);
   put_down(mover_of(*cart_, world_.meadow().ground));
+}
+
+void Play::leave_cart() {
+  std::erase_if(world_.driven(), [](const DrivenMover& old) { return old.kind == MoverKind::kCart; });
+  cart_.reset();
 }
 
 }  // namespace prairie

@@ -1,5 +1,5 @@
 // The world at a window, which moves, and what a person does in it: pauses time, sets the wind, sends gusts
-// and tornadoes, lets stones roll and drives a cart. Knows neither windows nor OpenGL.
+// and tornadoes, lets stones roll and drives a cart. Knows neither windows, keys nor OpenGL.
 #pragma once
 
 #include <cstddef>
@@ -24,15 +24,14 @@ class Play {
   /// The same, and lets it go on for a frame.
   void advance(double passed_s, const CartControls& controls, const Camera& camera);
 
-  /// What pressing `key` (GLFW's code) does: P pauses time, N steps it once meanwhile, [ ] , . ; ' set the
-  /// wind, B sends a gust, V a tornado, R lets a stone roll, C takes a cart or leaves it.
-  void press(int key, const Camera& camera);
   void toggle_pause() { clock_.toggle_pause(); }
   void step_once() { clock_.step_once(); }
   void send_gust(const Camera& camera);
   void send_tornado(const Camera& camera);
   void roll_stone(const Camera& camera);
-  void toggle_cart(const Camera& camera);
+  /// A cart stands ahead, in place of one that was taken before.
+  void take_cart(const Camera& camera);
+  void leave_cart();
   void set_wind(const WindControls& wind);
 
   bool paused() const { return clock_.paused(); }

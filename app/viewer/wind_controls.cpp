@@ -1,8 +1,5 @@
 #include "app/viewer/wind_controls.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -15,8 +12,8 @@
 namespace prairie {
 namespace {
 
-constexpr float kSpeedStep = 1.0f;
-constexpr float kHeadingStep = 15.0f;
+constexpr float kSpeedStepMPerS = 1.0f;
+constexpr float kHeadingStepDeg = 15.0f;
 constexpr float kTurbulenceStep = 0.25f;
 
 float turned(float heading_deg, float by_deg) {
@@ -39,30 +36,18 @@ WindControls wind_controls_of(const Scene& scene, const Wind& wind) {
   return controls;
 }
 
-void apply_wind_key(int key, WindControls& controls) {
-  const auto add = [](float& value, float by, float most) { value = std::clamp(value + by, 0.0f, most); };
-  switch (key) {
-    case GLFW_KEY_LEFT_BRACKET:
-      add(controls.speed_m_per_s, -kSpeedStep, WindControls::kMostSpeedMPerS);
-      break;
-    case GLFW_KEY_RIGHT_BRACKET:
-      add(controls.speed_m_per_s, kSpeedStep, WindControls::kMostSpeedMPerS);
-      break;
-    case GLFW_KEY_COMMA:
-      controls.heading_deg = turned(controls.heading_deg, -kHeadingStep);
-      break;
-    case GLFW_KEY_PERIOD:
-      controls.heading_deg = turned(controls.heading_deg, kHeadingStep);
-      break;
-    case GLFW_KEY_SEMICOLON:
-      add(controls.turbulence, -kTurbulenceStep, WindControls::kMostTurbulence);
-      break;
-    case GLFW_KEY_APOSTROPHE:
-      add(controls.turbulence, kTurbulenceStep, WindControls::kMostTurbulence);
-      break;
-    default:
-      break;
-  }
+void change_speed(WindControls& controls, int steps) {
+  controls.speed_m_per_s = std::clamp(controls.speed_m_per_s + static_cast<float>(steps) * kSpeedStepMPerS,
+                                      0.0f, WindControls::kMostSpeedMPerS);
+}
+
+void change_heading(WindControls& controls, int steps) {
+  controls.heading_deg = turned(controls.heading_deg, static_cast<float>(steps) * kHeadingStepDeg);
+}
+
+void change_turbulence(WindControls& controls, int steps) {
+  controls.turbulence = std::clamp(controls.turbulence + static_cast<float>(steps) * kTurbulenceStep, 0.0f,
+                                   WindControls::kMostTurbulence);
 }
 
 void blow(const WindControls& controls, World& world) {

@@ -19,9 +19,11 @@ struct WindControls {
 /// What the scene says; of a measured wind, its velocity at the beginning.
 WindControls wind_controls_of(const Scene& scene, const Wind& wind);
 
-/// What pressing `key` (GLFW's code) changes: [ and ] the speed, comma and full stop the heading, ; and ' the
-/// turbulence.
-void apply_wind_key(int key, WindControls& controls);
+/// By steps of 1 m/s, 15° and a quarter of what is usual. Speed and turbulence stay in range; headings go
+/// round.
+void change_speed(WindControls& controls, int steps);
+void change_heading(WindControls& controls, int steps);
+void change_turbulence(WindControls& controls, int steps);
 
 /// From now on that wind blows; its turbulence drifts on from where it is.
 void blow(const WindControls& controls, World& world);

@@ -3,6 +3,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -29,9 +31,50 @@ GLFWwindow* make_window(glm::ivec2 size_px, int on_reset) {
   return glfwCreateWindow(size_px.x, size_px.y, "prairie", nullptr, nullptr);
 }
 
-void pass_key_on(GLFWwindow* handle, int key, int, int action, int) {
+constexpr std::pair<int, NamedKey> kNamedKeys[] = {
+    {GLFW_KEY_ESCAPE, NamedKey::kEscape},
+    {GLFW_KEY_ENTER, NamedKey::kEnter},
+    {GLFW_KEY_TAB, NamedKey::kTab},
+    {GLFW_KEY_BACKSPACE, NamedKey::kBackspace},
+    {GLFW_KEY_INSERT, NamedKey::kInsert},
+    {GLFW_KEY_DELETE, NamedKey::kDelete},
+    {GLFW_KEY_HOME, NamedKey::kHome},
+    {GLFW_KEY_END, NamedKey::kEnd},
+    {GLFW_KEY_PAGE_UP, NamedKey::kPageUp},
+    {GLFW_KEY_PAGE_DOWN, NamedKey::kPageDown},
+    {GLFW_KEY_F1, NamedKey::kF1},
+    {GLFW_KEY_F2, NamedKey::kF2},
+    {GLFW_KEY_F3, NamedKey::kF3},
+    {GLFW_KEY_F4, NamedKey::kF4},
+    {GLFW_KEY_F5, NamedKey::kF5},
+    {GLFW_KEY_F6, NamedKey::kF6},
+    {GLFW_KEY_F7, NamedKey::kF7},
+    {GLFW_KEY_F8, NamedKey::kF8},
+    {GLFW_KEY_F9, NamedKey::kF9},
+    {GLFW_KEY_F10, NamedKey::kF10},
+    {GLFW_KEY_F11, NamedKey::kF11},
+    {GLFW_KEY_F12, NamedKey::kF12},
+    {GLFW_KEY_KP_ADD, NamedKey::kKeypadAdd},
+    {GLFW_KEY_KP_SUBTRACT, NamedKey::kKeypadSubtract},
+    {GLFW_KEY_LEFT_SHIFT, NamedKey::kShift},
+    {GLFW_KEY_RIGHT_SHIFT, NamedKey::kShift},
+    {GLFW_KEY_UP, NamedKey::kArrows},
+    {GLFW_KEY_DOWN, NamedKey::kArrows},
+    {GLFW_KEY_LEFT, NamedKey::kArrows},
+    {GLFW_KEY_RIGHT, NamedKey::kArrows},
+};
+
+Key key_of(int glfw_key) {
+  // These codes are those of ASCII.
+  if (glfw_key >= GLFW_KEY_SPACE && glfw_key <= GLFW_KEY_GRAVE_ACCENT) return static_cast<char>(glfw_key);
+  const auto found = std::find_if(std::begin(kNamedKeys), std::end(kNamedKeys),
+                                  [glfw_key](const auto& named) { return named.first == glfw_key; });
+  return found != std::end(kNamedKeys) ? found->second : NamedKey::kOther;
+}
+
+void pass_key_on(GLFWwindow* handle, int glfw_key, int, int action, int) {
   const auto* window = static_cast<const Window*>(glfwGetWindowUserPointer(handle));
-  if (action == GLFW_PRESS && window->on_key) window->on_key(key);
+  if (action == GLFW_PRESS && window->on_key) window->on_key(key_of(glfw_key));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "agents/driven_cart.h"
 #include "app/viewer/fly_camera.h"
+#include "app/viewer/key.h"
 
 struct GLFWwindow;
 
@@ -24,8 +25,8 @@ class Window {
   glm::ivec2 size_px() const;  // in the window system's pixels, as the constructor takes them
   glm::ivec2 framebuffer_size_px() const;
 
-  /// Called once per key press with GLFW's key code.
-  std::function<void(int key)> on_key;
+  /// Called once per key press, also of keys that nothing stands for.
+  std::function<void(Key key)> on_key;
 
   /// False while it is minimised or hidden, or has no pixels: then there is nothing to draw into.
   bool can_be_seen() const;

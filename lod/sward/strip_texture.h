@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/gl/gl_objects.h"
-
 namespace prairie {
 
 inline constexpr int kStripColumns = 512;  // texels along a tile's side; closes on itself

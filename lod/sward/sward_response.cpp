@@ -62,7 +62,7 @@ void set(Lanes& lanes, int first, glm::vec3 color) {
 }
 
 // blade_radiance is linear in what falls on each side, so that it is asked once per element, not per view.
-Lit lit_at(const SpeciesParams& species, const FrameParams& light, glm::vec3 albedo, float place) {
+Lit lit_at(const SpeciesParams& species, const LightParams& light, glm::vec3 albedo, float place) {
   Kernels kernels;
   Lit lit{};
   for (const bool shaded : {false, true}) {
@@ -76,7 +76,7 @@ Lit lit_at(const SpeciesParams& species, const FrameParams& light, glm::vec3 alb
     set(lit.front, first, radiance(1.0f) - all_round);
     set(lit.back, first, radiance(-1.0f) - all_round);
   }
-  FrameParams white = light;
+  LightParams white = light;
   white.horizon_radiance = glm::vec3(1.0f);
   lit.all_round[6] = kernels
                          .blade_radiance(white, glm::vec3(0.0f), species.transmission, species.specular,
@@ -90,14 +90,14 @@ void add(Lanes& sum, const Lanes& lanes, float share) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] += share * lanes[lane];
 }
 
-Lit lit_element(const SpeciesParams& species, const FrameParams& light, const SwardElements& elements,
+Lit lit_element(const SpeciesParams& species, const LightParams& light, const SwardElements& elements,
                 std::size_t n) {
   const float place = elements.place[n];
   return lit_at(species, light, Kernels{}.mixed(elements.root_albedo[n], elements.tip_albedo[n], place),
                 place);
 }
 
-std::vector<Sheet> sheets_of(std::span<const SwardLayer> layers, const FrameParams& light) {
+std::vector<Sheet> sheets_of(std::span<const SwardLayer> layers, const LightParams& light) {
   std::vector<Sheet> sheets(layers.size());
   oneapi::tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t s) {
     const SpeciesParams& species = *layers[s].species;
@@ -293,7 +293,7 @@ std::array<glm::vec3, kAzimuths> suns_around(glm::vec3 sun) {
   return suns;
 }
 
-void fill_elevation(const std::vector<Sheet>& sheets, const FrameParams& light, std::size_t elevation,
+void fill_elevation(const std::vector<Sheet>& sheets, const LightParams& light, std::size_t elevation,
                     SwardResponse& response) {
   const double sine = sine_at(static_cast<int>(elevation));
   const glm::vec3 to_eye(glm::dvec3(std::sqrt(std::max(1.0 - sine * sine, 0.0)), 0.0, sine));
@@ -333,7 +333,7 @@ void fill_elevation(const std::vector<Sheet>& sheets, const FrameParams& light, 
 
 }  // namespace
 
-SwardResponse sward_response(std::span<const SwardLayer> layers, const FrameParams& light) {
+SwardResponse sward_response(std::span<const SwardLayer> layers, const LightParams& light) {
   std::vector<Sheet> sheets = sheets_of(layers, light);
   slice(sheets);
   SwardResponse response;
@@ -358,60 +358,6 @@ glm::vec3 sward_place(double sin_elevation, double azimuth_to_sun_rad, double op
   const double y = std::abs(azimuth_to_sun_rad) / std::numbers::pi;
   const double z = std::log1p(optical_depth) / std::log1p(kDeepest);
   return glm::vec3(glm::clamp(glm::dvec3(x, y, z), 0.0, 1.0));
-}
-
-namespace {
-
-// A coordinate's nodes and how far it lies towards the second one.
-struct Between {
-  int first, second;
-  float share;
-};
-
-Between between(float coordinate, int nodes) {
-  const float at = coordinate * static_cast<float>(nodes - 1);
-  const int first = std::min(static_cast<int>(at), nodes - 1);
-  return {first, std::min(first + 1, nodes - 1), at - static_cast<float>(first)};
-}
-
-glm::vec4 read(const std::vector<glm::vec4>& table, glm::vec3 place) {
-  const Between x = between(place.x, kElevations);
-  const Between y = between(place.y, kAzimuths);
-  const Between z = between(place.z, kDepths);
-  const auto row = [&](int depth, int azimuth) {
-    const auto begin = static_cast<std::size_t>((depth * kAzimuths + azimuth) * kElevations);
-    return glm::mix(table[begin + static_cast<std::size_t>(x.first)],
-                    table[begin + static_cast<std::size_t>(x.second)], x.share);
-  };
-  return glm::mix(glm::mix(row(z.first, y.first), row(z.first, y.second), y.share),
-                  glm::mix(row(z.second, y.first), row(z.second, y.second), y.share), z.share);
-}
-
-double depth_of(const SwardResponse& response, double sin_elevation, double leaf_area) {
-  const Between x = between(sward_place(sin_elevation, 0.0, 0.0).x, kElevations);
-  const float projected = glm::mix(response.projected[static_cast<std::size_t>(x.first)],
-                                   response.projected[static_cast<std::size_t>(x.second)], x.share);
-  return leaf_area * static_cast<double>(projected) / std::max(sin_elevation, kLowestSine);
-}
-
-}  // namespace
-
-SwardLook look(const SwardResponse& response, double sin_elevation, double azimuth_to_sun_rad,
-               double leaf_area, float shade) {
-  const double depth = depth_of(response, sin_elevation, leaf_area);
-  const glm::vec3 place = sward_place(sin_elevation, azimuth_to_sun_rad, depth);
-  const glm::vec4 color =
-      glm::mix(read(response.colors.free, place), read(response.colors.shaded, place), shade);
-  return {glm::vec3(color), static_cast<float>(-std::expm1(-depth))};
-}
-
-SwardLook look_of_layer(const SwardResponse& response, std::size_t layer, double sin_elevation,
-                        double azimuth_to_sun_rad, double leaf_area, float shade) {
-  const double depth = depth_of(response, sin_elevation, leaf_area);
-  const glm::vec3 place = sward_place(sin_elevation, azimuth_to_sun_rad, depth);
-  const SwardResponse::Colors& colors = response.layers[layer].colors;
-  const glm::vec4 color = glm::mix(read(colors.free, place), read(colors.shaded, place), shade);
-  return {glm::vec3(color), color.w * static_cast<float>(-std::expm1(-depth))};
 }
 
 }  // namespace prairie

@@ -60,24 +60,12 @@ struct SwardResponse {
   std::vector<Layer> layers;     // as given
 };
 
-/// `light`: sun_direction, sun_radiance, ambients and horizon_radiance of the frame block. At least one layer
+/// At least one layer
 /// has a density above 0. The same whatever the number of threads.
-SwardResponse sward_response(std::span<const SwardLayer> layers, const FrameParams& light);
+SwardResponse sward_response(std::span<const SwardLayer> layers, const LightParams& light);
 
 /// Coordinates of the tables, each in [0, 1] from the first node to the last: x elevation, y azimuth, z
 /// optical depth. A texture with n texels along an axis is read at (c · (n − 1) + ½) / n.
 glm::vec3 sward_place(double sin_elevation, double azimuth_to_sun_rad, double optical_depth);
-
-struct SwardLook {
-  glm::vec3 color{0.0f};
-  float cover = 0.0f;
-};
-
-/// Reads the tables as a texture unit does.
-SwardLook look(const SwardResponse& response, double sin_elevation, double azimuth_to_sun_rad,
-               double leaf_area, float shade);
-/// The same of one species of the mix; `cover` is its own part. `leaf_area` is that of the whole mix.
-SwardLook look_of_layer(const SwardResponse& response, std::size_t layer, double sin_elevation,
-                        double azimuth_to_sun_rad, double leaf_area, float shade);
 
 }  // namespace prairie

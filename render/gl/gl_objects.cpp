@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace prairie {
+namespace {
+
+constexpr GLsizei kWholeText = -1;  // labels end in a zero
+
+}  // namespace
 
 void destroy_buffer(GLuint name) {
   glDeleteBuffers(1, &name);
@@ -23,10 +28,11 @@ void destroy_query(GLuint name) {
   glDeleteQueries(1, &name);
 }
 
-GlBuffer::GlBuffer() {
+GlBuffer::GlBuffer(const char* label) {
   GLuint name = 0;
   glCreateBuffers(1, &name);
   name_ = GlName<destroy_buffer>(name);
+  glObjectLabel(GL_BUFFER, name, kWholeText, label);
 }
 
 void GlBuffer::reserve(std::size_t bytes) {
@@ -42,21 +48,24 @@ void GlBuffer::upload(const void* data, std::size_t bytes) {
   glNamedBufferSubData(get(), 0, static_cast<GLsizeiptr>(bytes), data);
 }
 
-GlVertexArray make_vertex_array() {
+GlVertexArray make_vertex_array(const char* label) {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
+  glObjectLabel(GL_VERTEX_ARRAY, name, kWholeText, label);
   return GlVertexArray(name);
 }
 
-GlFramebuffer make_framebuffer() {
+GlFramebuffer make_framebuffer(const char* label) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
+  glObjectLabel(GL_FRAMEBUFFER, name, kWholeText, label);
   return GlFramebuffer(name);
 }
 
-GlTexture make_texture(GLenum target) {
+GlTexture make_texture(GLenum target, const char* label) {
   GLuint name = 0;
   glCreateTextures(target, 1, &name);
+  glObjectLabel(GL_TEXTURE, name, kWholeText, label);
   return GlTexture(name);
 }
 
@@ -64,6 +73,16 @@ GlQuery make_timestamp_query() {
   GLuint name = 0;
   glCreateQueries(GL_TIMESTAMP, 1, &name);
   return GlQuery(name);
+}
+
+void set_sampling(const GlTexture& texture, const TextureSampling& sampling) {
+  const auto set = [&](GLenum parameter, GLenum value) {
+    glTextureParameteri(texture.get(), parameter, static_cast<GLint>(value));
+  };
+  set(GL_TEXTURE_MIN_FILTER, sampling.minified);
+  set(GL_TEXTURE_MAG_FILTER, sampling.magnified);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    set(axis, sampling.wrap);
 }
 
 }  // namespace prairie

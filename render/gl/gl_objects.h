@@ -1,4 +1,5 @@
 // OpenGL objects that own their names: made on construction, deleted on destruction, moved but never copied.
+// Each has a label by which debuggers and drivers call it.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -45,7 +46,7 @@ using GlQuery = GlName<destroy_query>;
 /// A buffer whose storage grows as it is asked to.
 class GlBuffer {
  public:
-  GlBuffer();
+  explicit GlBuffer(const char* label);
   GLuint get() const { return name_.get(); }
   std::size_t size_bytes() const { return size_bytes_; }
   /// Makes room for at least `bytes`; the contents are lost if it has to grow.
@@ -62,9 +63,17 @@ class GlBuffer {
   std::size_t size_bytes_ = 0;
 };
 
-GlVertexArray make_vertex_array();
-GlFramebuffer make_framebuffer();
-GlTexture make_texture(GLenum target);
+GlVertexArray make_vertex_array(const char* label);
+GlFramebuffer make_framebuffer(const char* label);
+GlTexture make_texture(GLenum target, const char* label);
 GlQuery make_timestamp_query();
+
+/// How a texture is read between its texels and beyond its border.
+struct TextureSampling {
+  GLenum minified = GL_LINEAR;
+  GLenum magnified = GL_LINEAR;
+  GLenum wrap = GL_CLAMP_TO_EDGE;
+};
+void set_sampling(const GlTexture& texture, const TextureSampling& sampling);
 
 }  // namespace prairie

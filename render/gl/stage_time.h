@@ -1,4 +1,4 @@
-// What the graphics device takes for a stage of the frame (measured by render/gl/gpu_timer.h).
+// What the graphics device takes for a stage of the frame (measured by render/gl/gpu_timeline.h).
 #pragma once
 
 namespace prairie {

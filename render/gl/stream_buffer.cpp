@@ -32,6 +32,7 @@ void StreamBuffer::allocate(std::size_t frame_bytes) {
   GLuint name = 0;
   glCreateBuffers(1, &name);
   buffer_ = GlName<destroy_buffer>(name);
+  glObjectLabel(GL_BUFFER, name, -1, "streamed frames");
   glNamedBufferStorage(name, bytes, nullptr, kMapping);
   mapped_ = static_cast<std::byte*>(glMapNamedBufferRange(name, 0, bytes, kMapping));
   for (GLsync& fence : fences_) {
@@ -67,6 +68,10 @@ StreamBuffer::Slice StreamBuffer::write(const void* data, std::size_t bytes) {
   used_ += room;
   return {buffer_.get(), static_cast<GLintptr>(offset),
           static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16))};
+}
+
+void bind_storage(GLuint binding, const StreamBuffer::Slice& slice) {
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, slice.buffer, slice.offset, slice.bytes);
 }
 
 }  // namespace prairie

@@ -16,7 +16,7 @@ namespace prairie {
 
 class StreamBuffer {
  public:
-  /// `frame_bytes`: what a frame is expected to write; grows when one writes more.
+  /// Begins its first frame. `frame_bytes`: what a frame is expected to write; grows when one writes more.
   explicit StreamBuffer(std::size_t frame_bytes);
   ~StreamBuffer();
   StreamBuffer(const StreamBuffer&) = delete;
@@ -47,5 +47,8 @@ class StreamBuffer {
   std::array<GLsync, kFrames> fences_{};
   std::vector<GlName<destroy_buffer>> outgrown_;  // this frame's commands may still read them
 };
+
+/// For what is drawn or computed from now on; `binding`: of shaders/shared/bindings.glsl.
+void bind_storage(GLuint binding, const StreamBuffer::Slice& slice);
 
 }  // namespace prairie

@@ -7,13 +7,14 @@ namespace prairie {
 
 class TexelView {
  public:
-  explicit TexelView(GLenum format) : format_(format), texture_(make_texture(GL_TEXTURE_BUFFER)) {}
-  GLuint texture() const { return texture_.get(); }
+  TexelView(GLenum format, const char* label)
+      : format_(format), texture_(make_texture(GL_TEXTURE_BUFFER, label)) {}
   template <typename T>
   void show(StreamBuffer& stream, std::span<const T> values) {
     const StreamBuffer::Slice slice = stream.write(values.data(), values.size_bytes());
     glTextureBufferRange(texture_.get(), format_, slice.buffer, slice.offset, slice.bytes);
   }
+  void bind(GLuint unit) const { glBindTextureUnit(unit, texture_.get()); }
 
  private:
   GLenum format_;

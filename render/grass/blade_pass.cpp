@@ -1,10 +1,13 @@
 #include "render/grass/blade_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 
 #include "generator/cell_table.h"
 #include "render/gl/shader_program.h"
+#include "render/gl/vertex_layout.h"
 
 namespace prairie {
 namespace {
@@ -13,6 +16,11 @@ namespace {
 constexpr std::uint32_t kIndexedBlades = 3600;
 constexpr std::uint32_t kMostSegments = 8;
 static_assert(kIndexedBlades * (2 * kMostSegments + 1) <= 65536);
+
+constexpr std::array<VertexAttribute, 2> kVertexAttributes{{
+    {3, GL_FLOAT, offsetof(GrownVertex, position_m)},
+    {3, GL_UNSIGNED_INT_10F_11F_11F_REV, offsetof(GrownVertex, radiance)},
+}};
 
 std::uint32_t triangles_of(std::uint32_t segments) {
   return 2 * segments - 1;
@@ -29,34 +37,25 @@ std::uint32_t BladePass::vertices_per_blade(std::uint32_t segments) {
 
 namespace {
 
-MovingProgram make_grow_program(const World& world, const std::filesystem::path& shader_folder,
+MovingProgram make_grow_program(const Meadow& meadow, const std::filesystem::path& shader_folder,
                                 const char* shape, const char* origin) {
   return {shader_folder,
           {"pass/grow.comp"},
-          {shape, origin, planting_variant(PlantingLattice(world.meadow()).feature_patches > 0)}};
+          {shape, origin, planting_variant(PlantingLattice(meadow).feature_patches > 0)}};
 }
 
 }  // namespace
 
-BladePass::BladePass(const World& world, const std::filesystem::path& shader_folder)
-    : spline_program_(make_grow_program(world, shader_folder, "SPLINE_BLADES", "")),
-      hermite_program_(make_grow_program(world, shader_folder, "", "")),
-      touched_spline_program_(make_grow_program(world, shader_folder, "SPLINE_BLADES", "TOUCHED")),
-      touched_hermite_program_(make_grow_program(world, shader_folder, "", "TOUCHED")) {
-  draw_program_ = make_program(shader_folder, {"pass/blade.vert", "pass/blade.frag"});
-  vertex_array_ = make_vertex_array();
-  const GLuint array = vertex_array_.get();
-  glEnableVertexArrayAttrib(array, 0);
-  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GrownVertex, position_m));
-  glVertexArrayAttribBinding(array, 0, 0);
-  glEnableVertexArrayAttrib(array, 1);
-  glVertexArrayAttribFormat(array, 1, 3, GL_UNSIGNED_INT_10F_11F_11F_REV, GL_FALSE,
-                            offsetof(GrownVertex, radiance));
-  glVertexArrayAttribBinding(array, 1, 0);
-}
+BladePass::BladePass(const Meadow& meadow, const std::filesystem::path& shader_folder)
+    : spline_program_(make_grow_program(meadow, shader_folder, "SPLINE_BLADES", "")),
+      hermite_program_(make_grow_program(meadow, shader_folder, "", "")),
+      touched_spline_program_(make_grow_program(meadow, shader_folder, "SPLINE_BLADES", "TOUCHED")),
+      touched_hermite_program_(make_grow_program(meadow, shader_folder, "", "TOUCHED")),
+      draw_program_(make_program(shader_folder, {"pass/blade.vert", "pass/blade.frag"})),
+      vertex_array_(make_vertex_array(kVertexAttributes, "blades")) {}
 
 GLuint BladePass::indices_for(std::uint32_t segments) {
-  const auto [entry, is_new] = indices_.try_emplace(segments);
+  const auto [entry, is_new] = indices_.try_emplace(segments, "blade indices");
   if (is_new) {
     std::vector<std::uint16_t> indices;
     indices.reserve(std::size_t{kIndexedBlades} * triangles_of(segments) * 3);
@@ -72,52 +71,58 @@ GLuint BladePass::indices_for(std::uint32_t segments) {
   return entry->second.get();
 }
 
-void BladePass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-                        GrassVariant variant, const TouchedBlades* touched) {
+bool BladePass::prepare(StreamBuffer& stream, const PlannedBlades& blades,
+                        std::span<const SpeciesParams> species, GrassVariant variant,
+                        const TouchedBlades* touched) {
   variant_ = variant;
   cells_.clear();
   runs_.clear();
   batches_.clear();
   grown_ = nullptr;
   spline_triangles_ = hermite_triangles_ = 0;
-  if (plan.cells.empty()) return;
-  compute_.set_tables(stream, plan.tables, species);
+  if (blades.cells.empty()) return false;
+  compute_.set_tables(stream, blades.tables, species);
   const bool has_touched = touched != nullptr && touched->size() > 0;
   if (has_touched) touched_.set(stream, *touched);
-  std::size_t bytes = kStorageLimitBytes;
-  const auto add = [&](const CellGroup& group, std::span<const DrawnCell> cells, bool is_touched) {
-    const std::size_t most = most_blades(bytes_of(group.segments));
-    const std::vector<DrawnCell> pieces = pieces_of(cells, most);
-    for (const CellRun& run : runs_of(pieces, most)) {
-      const std::size_t run_bytes = run.blades * bytes_of(group.segments);
-      if (bytes + run_bytes > kStorageLimitBytes) {
-        batches_.push_back({runs_.size(), 0});
-        bytes = 0;
-      }
-      ++batches_.back().run_count;
-      runs_.push_back({group.is_spline, is_touched, group.segments, cells_.size() + run.first, run.count,
-                       run.blades, static_cast<std::uint32_t>(bytes / sizeof(GrownVertex))});
-      bytes += run_bytes;
-      (group.is_spline ? spline_triangles_ : hermite_triangles_) +=
-          std::uint64_t{run.blades} * triangles_of(group.segments);
-    }
-    cells_.insert(cells_.end(), pieces.begin(), pieces.end());
-  };
-  for (const CellGroup& group : plan.groups) {
-    const auto cells = std::span(plan.cells).subspan(group.first_cell, group.cell_count);
+  batch_bytes_ = kStorageLimitBytes;
+  for (const CellGroup& group : blades.groups) {
     std::vector<DrawnCell> plain, moved;
     // Feet of blades that have begun to slide towards strips are no longer where they were touched.
-    for (const DrawnCell& cell : cells)
+    for (const DrawnCell& cell : blades.cells.subspan(group.first_cell, group.cell_count))
       (has_touched && cell.morph <= 0.0f && touched_.holds(cell.planted.key) ? moved : plain).push_back(cell);
-    add(group, plain, false);
-    add(group, moved, true);
+    add_runs(group, plain, false);
+    add_runs(group, moved, true);
   }
+  reserve_vertices();
+  return true;
+}
+
+void BladePass::add_runs(const CellGroup& group, std::span<const DrawnCell> cells, bool is_touched) {
+  const std::size_t most = most_blades(bytes_of(group.segments));
+  const std::vector<DrawnCell> pieces = pieces_of(cells, most);
+  for (const CellRun& run : runs_of(pieces, most)) {
+    const std::size_t run_bytes = run.blades * bytes_of(group.segments);
+    if (batch_bytes_ + run_bytes > kStorageLimitBytes) {
+      batches_.push_back({runs_.size(), 0});
+      batch_bytes_ = 0;
+    }
+    ++batches_.back().run_count;
+    runs_.push_back({group.is_spline, is_touched, group.segments, cells_.size() + run.first, run.count,
+                     run.blades, static_cast<std::uint32_t>(batch_bytes_ / sizeof(GrownVertex))});
+    batch_bytes_ += run_bytes;
+    (group.is_spline ? spline_triangles_ : hermite_triangles_) +=
+        std::uint64_t{run.blades} * triangles_of(group.segments);
+  }
+  cells_.insert(cells_.end(), pieces.begin(), pieces.end());
+}
+
+void BladePass::reserve_vertices() {
   const Run& last = runs_.back();
   const std::size_t last_bytes =
       (last.first_vertex + std::size_t{last.blades} * BladePass::vertices_per_blade(last.segments)) *
       sizeof(GrownVertex);
   vertices_.reserve(batches_.size() > 1 ? kStorageLimitBytes : last_bytes);
-  glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(GrownVertex));
+  set_vertices(vertex_array_, vertices_, sizeof(GrownVertex));
 }
 
 GLuint BladePass::grow_program(const Run& run) {
@@ -129,13 +134,13 @@ GLuint BladePass::grow_program(const Run& run) {
 void BladePass::grow(StreamBuffer& stream, const Batch& batch) {
   // What is drawn from the buffer's former contents must be done before they are overwritten.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layouts::kResultBuffer, vertices_.get());
   for (std::size_t n = batch.first_run; n < batch.first_run + batch.run_count; ++n) {
     const Run& run = runs_[n];
     const GLuint program = grow_program(run);
     if (run.is_touched) touched_.show(stream, std::span(cells_).subspan(run.first_cell, run.cell_count));
-    glProgramUniform1ui(program, 1, run.segments);
-    glProgramUniform1ui(program, 2, run.first_vertex);
+    glProgramUniform1ui(program, layouts::kGrowSegments, run.segments);
+    glProgramUniform1ui(program, layouts::kGrowFirstVertex, run.first_vertex);
     compute_.dispatch(stream, program, std::span(cells_).subspan(run.first_cell, run.cell_count));
   }
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);

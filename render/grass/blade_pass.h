@@ -6,27 +6,40 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <vector>
 
+#include "animation/touched_blades.h"
+#include "generator/meadow.h"
 #include "lod/frame_plan.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/stream_buffer.h"
 #include "render/grass/compute_batch.h"
 #include "render/grass/moving_program.h"
 #include "render/grass/touched_chains.h"
-#include "world/world.h"
 
 namespace prairie {
 
+/// Cells with blades to be drawn, grouped by mesh, and what their table words index (lod/frame_plan.h).
+struct PlannedBlades {
+  std::span<const DrawnCell> cells;
+  std::span<const CellGroup> groups;
+  std::span<const float> tables;
+};
+
 class BladePass {
  public:
-  BladePass(const World& world, const std::filesystem::path& shader_folder);
+  static constexpr DrawState kState{};
 
-  /// Takes the plan's cells. `species`: as the field has them, found by the renderer where they say so. For
-  /// any variant but the plain one the moving fields must be bound (render/grass/moving_fields.h).
-  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
+  BladePass(const Meadow& meadow, const std::filesystem::path& shader_folder);
+
+  /// Takes a frame's cells; whether there are any. `species`: as the field has them, found by the renderer
+  /// where they say so. For any variant but the plain one the moving fields must be bound
+  /// (render/grass/moving_fields.h).
+  bool prepare(StreamBuffer& stream, const PlannedBlades& blades, std::span<const SpeciesParams> species,
                GrassVariant variant = {}, const TouchedBlades* touched = nullptr);
-  /// Draws them; the same plan may be drawn several times. The frame block and the sward's tables must be
+  /// Draws them; the same cells may be drawn several times. The frame's blocks and the sward's tables must be
   /// bound.
   void draw(StreamBuffer& stream) { draw(stream, draw_program_.get()); }
   /// The same by another program, which takes GrownVertex as vertex attributes 0 and 1.
@@ -55,6 +68,8 @@ class BladePass {
     std::size_t run_count = 0;
   };
 
+  void add_runs(const CellGroup& group, std::span<const DrawnCell> cells, bool is_touched);
+  void reserve_vertices();
   GLuint grow_program(const Run& run);
   GLuint indices_for(std::uint32_t segments);
   void grow(StreamBuffer& stream, const Batch& batch);
@@ -68,11 +83,12 @@ class BladePass {
   GlProgram draw_program_;
   GlVertexArray vertex_array_;
   ComputeBatch compute_;
-  GlBuffer vertices_;
+  GlBuffer vertices_{"grown vertices"};
   std::map<std::uint32_t, GlBuffer> indices_;  // by segments
   std::vector<DrawnCell> cells_;
   std::vector<Run> runs_;
   std::vector<Batch> batches_;
+  std::size_t batch_bytes_ = 0;  // that the last batch holds so far
   GrassVariant variant_;
   const Batch* grown_ = nullptr;  // the batch whose vertices the buffer holds
   std::uint64_t spline_triangles_ = 0;

@@ -67,9 +67,11 @@ std::uint32_t ComputeBatch::dispatch(StreamBuffer& stream, GLuint program, std::
   cells_.show(stream, std::span<const DrawnCell>(run));
   group_cells_.show(stream, std::span<const std::uint32_t>(first_cell_of_group_));
   glUseProgram(program);
-  const GLuint textures[] = {cells_.texture(), tables_.texture(), species_.texture(), group_cells_.texture()};
-  glBindTextures(0, 4, textures);
-  glProgramUniform1ui(program, 0, blades);
+  cells_.bind(layouts::kCellUnit);
+  tables_.bind(layouts::kCellTableUnit);
+  species_.bind(layouts::kSpeciesUnit);
+  group_cells_.bind(layouts::kCellOfGroupUnit);
+  glProgramUniform1ui(program, layouts::kPlantBladeCount, blades);
   glDispatchCompute((blades + kGroupSize - 1) / kGroupSize, 1, 1);
   return blades;
 }

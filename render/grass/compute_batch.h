@@ -41,14 +41,14 @@ class ComputeBatch {
   void set_tables(StreamBuffer& stream, std::span<const float> tables,
                   std::span<const SpeciesParams> species);
   /// Numbers the run's blades (`first_blade`), shows its cells and runs `program` over them, which writes
-  /// into the storage buffer bound to 4. Returns the number of blades.
+  /// into the bound result buffer. Returns the number of blades.
   std::uint32_t dispatch(StreamBuffer& stream, GLuint program, std::span<DrawnCell> run);
 
  private:
-  TexelView cells_{GL_RGBA32UI};
-  TexelView tables_{GL_RGBA32F};
-  TexelView species_{GL_RGBA32F};
-  TexelView group_cells_{GL_R32UI};
+  TexelView cells_{GL_RGBA32UI, "cells"};
+  TexelView tables_{GL_RGBA32F, "cell tables"};
+  TexelView species_{GL_RGBA32F, "species"};
+  TexelView group_cells_{GL_R32UI, "cells of workgroups"};
   std::vector<std::uint32_t> first_cell_of_group_;
 };
 

@@ -33,7 +33,7 @@ void GpuPlanting::prepare(const CellTables& tables, std::span<const SpeciesParam
 void GpuPlanting::plant() {
   stream_.begin_frame();
   batch_.set_tables(stream_, tables_, species_);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, blades_.get());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layouts::kResultBuffer, blades_.get());
   batch_.dispatch(stream_, program_.get(), cells_);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glFinish();

@@ -30,7 +30,7 @@ class GpuPlanting {
   std::vector<SpeciesParams> species_;
   std::vector<DrawnCell> cells_;
   std::size_t blade_count_ = 0;
-  GlBuffer blades_;
+  GlBuffer blades_{"planted blades"};
 };
 
 }  // namespace prairie

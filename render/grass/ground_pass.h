@@ -1,36 +1,35 @@
-// Draws the ground: patches of the plan, their vertices sampled from the height field once and kept while
-// they are used, edges towards coarser neighbours stitched by leaving out every other vertex, so that no
-// crack can open.
+// Draws the ground (G03 §3.5): patches of the plan (render/grass/ground_mesh.h), which are kept on the device
+// while they are used.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "generator/meadow.h"
 #include "lod/frame_plan.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/gl_objects.h"
 #include "render/grass/moving_program.h"
-#include "render/light/light.h"
-#include "world/world.h"
 
 namespace prairie {
 
 class GroundPass {
  public:
-  /// `blade_area_from_above_m2`: of each species (render/grass/sward_tables.h).
-  GroundPass(const World& world, const std::filesystem::path& shader_folder,
+  static constexpr DrawState kState{};
+
+  /// `blade_area_from_above_m2`: of each species (lod/sward/field_look.h). The meadow has to outlive the
+  /// pass.
+  GroundPass(const Meadow& meadow, const std::filesystem::path& shader_folder,
              std::span<const double> blade_area_from_above_m2);
 
-  /// The frame block must be bound, and for any variant but the plain one the moving fields. `anchor_m`: as
-  /// in it.
-  void draw(const FramePlan& plan, glm::dvec3 anchor_m, GrassVariant variant);
-  /// Where the mesh's frame has its origin for this eye: whole multiples of the coarsest quad near it, at a
-  /// fixed height.
-  glm::dvec3 anchor_m(glm::dvec3 eye_m) const;
-  /// What the frame block tells of the ground for this eye.
-  GroundLook look(glm::dvec3 eye_m) const { return {anchor_m(eye_m), flat_period_m_}; }
+  /// The frame's blocks must be bound, and for any variant but the plain one the moving fields.
+  void draw(const FramePlan& plan, GrassVariant variant);
+  /// Size of the flat tier's texture in the scene.
+  glm::dvec2 flat_period_m() const { return flat_period_m_; }
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
@@ -42,12 +41,12 @@ class GroundPass {
   void fill_slot(std::uint32_t slot, const GroundPatch& patch);
   void upload_morphs(const FramePlan& plan);
 
-  const World* world_;
+  const Meadow* meadow_;
   MovingProgram program_;
   GlVertexArray vertex_array_;
-  GlBuffer vertices_;
-  GlBuffer indices_;
-  GlBuffer patch_params_;
+  GlBuffer vertices_{"ground vertices"};
+  GlBuffer indices_{"ground indices"};
+  GlBuffer patch_params_{"ground patches"};
   GlTexture flat_map_;
   GlTexture tile_morphs_;
   std::vector<std::uint8_t> morph_steps_;

@@ -5,17 +5,10 @@
 namespace prairie {
 namespace {
 
-constexpr GLuint kSwayUnit = 8;
-constexpr GLuint kTreadUnit = 9;
-constexpr GLuint kConditionUnit = 13;
-
-GlTexture make_torus(GLenum format, int side, int layers) {
-  GlTexture texture = make_texture(GL_TEXTURE_2D_ARRAY);
+GlTexture make_torus(GLenum format, int side, int layers, const char* label) {
+  GlTexture texture = make_texture(GL_TEXTURE_2D_ARRAY, label);
   glTextureStorage3D(texture.get(), 1, format, side, side, layers);
-  glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_REPEAT);
+  set_sampling(texture, {.minified = GL_LINEAR, .magnified = GL_LINEAR, .wrap = GL_REPEAT});
   return texture;
 }
 
@@ -31,16 +24,16 @@ void MovingFields::paint(const Motion& motion, glm::dvec2 eye_m) {
     window_.paint(motion.treading(), motion.eye_m().value_or(eye_m));
 }
 
-void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame) {
+void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, ViewParams& view, FieldParams& field) {
   const std::optional<Sway>& sway = motion.sway();
   const ConditionWindow* conditions = motion.conditions();
   // Around the eye that watches lie blades that sway and conditions, too.
   const glm::dvec2 centre_m = motion.eye_m().value_or(eye_m);
   const double period_m = coarsest_period_m();
-  frame.field_centre_from_eye_m = glm::vec2(centre_m - eye_m);
-  frame.field_centre_m = glm::vec2(centre_m - period_m * glm::floor(centre_m / period_m));
+  view.window_from_eye_m = glm::vec2(centre_m - eye_m);
+  field.window_m = glm::vec2(centre_m - period_m * glm::floor(centre_m / period_m));
   const double periods = motion.time_s() / static_cast<double>(layouts::kSwayPeriodS);
-  frame.sway_time = static_cast<float>(periods - std::floor(periods));
+  field.sway_time = static_cast<float>(periods - std::floor(periods));
 
   if (conditions != nullptr) show_conditions(*conditions);
   const bool has_treads = motion.treading().bytes() > 0;
@@ -48,7 +41,7 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
   // In still air one species of texels at rest stands for all.
   const int layers = sway ? sway->layer_count() : layouts::kSwayLevels * 5;
   if (layers != sway_layers_ || shows_sway_ != sway.has_value()) {
-    sway_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layers);
+    sway_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layers, "sway");
     sway_layers_ = layers;
     shows_sway_ = sway.has_value();
     const float rest[4] = {};
@@ -60,7 +53,7 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
   }
   if (has_treads || !window_.is_empty()) {
     if (treads_.get() == 0) {
-      treads_ = make_torus(GL_RGBA8_SNORM, layouts::kTreadSide, layouts::kTreadLevels);
+      treads_ = make_torus(GL_RGBA8_SNORM, layouts::kTreadSide, layouts::kTreadLevels, "treads");
       const std::int8_t rest[4] = {};
       glClearTexImage(treads_.get(), 0, GL_RGBA, GL_BYTE, rest);
     }
@@ -77,15 +70,16 @@ void MovingFields::show(const Motion& motion, glm::dvec2 eye_m, FrameParams& fra
 void MovingFields::show_conditions(const ConditionWindow& conditions) {
   if (conditions.revision() == conditions_revision_) return;
   conditions_revision_ = conditions.revision();
-  if (conditions_.get() == 0) conditions_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layouts::kSwayLevels);
+  if (conditions_.get() == 0)
+    conditions_ = make_torus(GL_RGBA32F, layouts::kSwaySide, layouts::kSwayLevels, "conditions");
   glTextureSubImage3D(conditions_.get(), 0, 0, 0, 0, layouts::kSwaySide, layouts::kSwaySide,
                       layouts::kSwayLevels, GL_RGBA, GL_FLOAT, conditions.image().data());
 }
 
 void MovingFields::bind() const {
-  glBindTextureUnit(kSwayUnit, sway_.get());
-  glBindTextureUnit(kTreadUnit, treads_.get());
-  glBindTextureUnit(kConditionUnit, conditions_.get());
+  glBindTextureUnit(layouts::kSwayUnit, sway_.get());
+  glBindTextureUnit(layouts::kTreadUnit, treads_.get());
+  glBindTextureUnit(layouts::kConditionUnit, conditions_.get());
 }
 
 }  // namespace prairie

@@ -14,8 +14,9 @@ class MovingFields {
   /// Makes ready what `show` uploads, so that it has less to do if nothing moves until then. Does without
   /// OpenGL.
   void paint(const Motion& motion, glm::dvec2 eye_m);
-  /// Uploads what a frame seen from there needs and tells the frame block where it lies.
-  void show(const Motion& motion, glm::dvec2 eye_m, FrameParams& frame);
+  /// Uploads what a frame seen from there needs and tells where it lies.
+  void show(const Motion& motion, glm::dvec2 eye_m, ViewParams& view, FieldParams& field);
+  /// For all that is drawn or computed from now on.
   void bind() const;
 
  private:

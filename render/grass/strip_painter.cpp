@@ -6,12 +6,16 @@
 #include "generator/cell_table.h"
 #include "lod/sward/strip_texture.h"
 #include "lod/thinning.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/shader_program.h"
+#include "render/gl/uniform_block.h"
+#include "shaders/shared/layouts.h"
 
 namespace prairie {
 namespace {
 
 constexpr std::uint32_t kSegments = 4;
+constexpr int kLevels = std::bit_width(static_cast<unsigned>(kStripColumns));
 // Narrower blades would be broken into dots by the texture.
 constexpr float kLeastTexels = 1.2f;
 
@@ -25,125 +29,153 @@ constexpr Facing kFacing[kStripFacings] = {{{0.0f, -1.0f, 0.0f}, {1.0f, 0.0f, 0.
                                            {{0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}},
                                            {{-1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}}};
 
-// One cell as large as a tile that holds what one strip stands for: a quarter of a tile's blades.
-Meadow strip_meadow(const Meadow& meadow, const SpeciesParams& species, float texel_m) {
-  Meadow strip;
-  strip.seed = meadow.seed;
-  strip.tile_m = kCellsPerSide * meadow.tile_m;
-  strip.extent_m = glm::dvec2(strip.tile_m);
-  PlantedSpecies planted;
-  planted.species.params = species;
-  const float width_m = std::max(species.width_m, kLeastTexels * texel_m);
-  planted.species.params.width_m = width_m;
-  planted.density_per_m2 = NodeGrid::uniform(0.25f * species.densest_per_m2 * species.width_m / width_m);
-  strip.species.push_back(std::move(planted));
-  return strip;
+// What one strip stands for: a quarter of a tile's blades, on a square as large as a tile.
+struct StripSward {
+  SpeciesParams species;
+  float density_per_m2;
+  float longest_m;
+};
+
+StripSward strip_sward(const SpeciesParams& species, float texel_m) {
+  StripSward sward{species, 0.0f, 0.0f};
+  sward.species.width_m = std::max(species.width_m, kLeastTexels * texel_m);
+  sward.density_per_m2 = 0.25f * species.densest_per_m2 * species.width_m / sward.species.width_m;
+  sward.longest_m = species.height_m * (1.0f + layouts::kTallestSpread * species.height_spread);
+  return sward;
 }
 
-FramePlan plan_of(const Meadow& strip, std::uint32_t species, float all_per_m2) {
-  FramePlan plan;
-  plan.camera.orthographic_height_m = 1.0;
-  plan.lod = tier_coefficients(Tier::kHermite, Quality::kHigh, 1.0, plan.camera);
-  CellTables tables;
-  append_cell(strip, PlantingLattice(strip), {0, 0}, 0, tables);
-  if (tables.cells.empty()) return plan;
+// The cell of a species, number `index` of the field, among blades of all.
+struct StripCell {
+  std::vector<DrawnCell> cells;
+  std::vector<CellGroup> groups;
+  std::vector<float> tables;
+
+  std::uint32_t blades() const { return cells.empty() ? 0 : cells.front().drawn; }
+  PlannedBlades planned() const { return {cells, groups, tables}; }
+};
+
+StripCell strip_cell(const StripSward& sward, std::uint32_t index, float all_per_m2, double tile_m,
+                     std::uint64_t seed) {
+  StripCell strip;
+  const CellTables tables = uniform_cell(sward.species, sward.density_per_m2, tile_m, seed);
+  if (tables.cells.empty()) return strip;
   DrawnCell cell{};
   cell.planted = tables.cells.front();
   // The light in it is that of the whole sward.
-  cell.planted.other_density_per_m2 =
-      std::max(all_per_m2 - strip.species[0].density_per_m2.sample({0.0, 0.0}), 0.0f);
-  cell.planted.species = species;
+  cell.planted.other_density_per_m2 = std::max(all_per_m2 - sward.density_per_m2, 0.0f);
+  cell.planted.species = index;
   cell.drawn = cell.planted.planted;
-  plan.cells.push_back(cell);
-  plan.groups.push_back({false, kSegments, 0, 1});
-  plan.tables = tables.tables;
-  plan.blades_drawn = cell.drawn;
-  return plan;
+  strip.cells.push_back(cell);
+  strip.groups.push_back({false, kSegments, 0, 1});
+  strip.tables = tables.tables;
+  return strip;
+}
+
+// A strip as it is seen from a side, in parallel projection (strip_blade.vert has one of its own), as finely
+// as a picture shows what is 1 m away.
+ViewParams strip_view(const Facing& facing) {
+  Camera from_aside;
+  from_aside.orthographic_height_m = 1.0;
+  ViewParams view{};
+  view.parallel = 1.0f;
+  view.towards_eye = facing.towards_eye;
+  view.pixel_m = static_cast<float>(Camera{}.pixel_m());
+  view.lod = tier_coefficients(Tier::kHermite, Quality::kHigh, 1.0, from_aside);
+  return view;
+}
+
+GlTexture make_strip_texture(int layers) {
+  GlTexture texture = make_texture(GL_TEXTURE_2D_ARRAY, "strips");
+  glTextureStorage3D(texture.get(), kLevels, GL_RGBA8, kStripColumns, kStripRows, layers);
+  set_sampling(texture, {.minified = GL_NEAREST_MIPMAP_NEAREST, .magnified = GL_NEAREST, .wrap = GL_REPEAT});
+  glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+// Draws blades into radiance and rank, and reads them back.
+class StripCanvas {
+ public:
+  StripCanvas() {
+    glTextureStorage2D(color_.get(), 1, GL_RGBA32F, kStripColumns, kStripRows);
+    glTextureStorage2D(depth_.get(), 1, GL_DEPTH_COMPONENT32F, kStripColumns, kStripRows);
+    glNamedFramebufferTexture(framebuffer_.get(), GL_COLOR_ATTACHMENT0, color_.get(), 0);
+    glNamedFramebufferTexture(framebuffer_.get(), GL_DEPTH_ATTACHMENT, depth_.get(), 0);
+  }
+
+  void begin() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+    glViewport(0, 0, kStripColumns, kStripRows);
+    set_draw_state(BladePass::kState);
+    const float nothing[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+    const float far = 0.0f;
+    glClearNamedFramebufferfv(framebuffer_.get(), GL_COLOR, 0, nothing);
+    glClearNamedFramebufferfv(framebuffer_.get(), GL_DEPTH, 0, &far);
+  }
+
+  StripDrawing drawing() const {
+    StripDrawing drawing{kStripColumns, kStripRows, {}};
+    drawing.rgba.resize(std::size_t{4} * kStripColumns * kStripRows);
+    glGetTextureImage(color_.get(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(drawing.rgba.size() * sizeof(float)), drawing.rgba.data());
+    return drawing;
+  }
+
+ private:
+  GlTexture color_ = make_texture(GL_TEXTURE_2D, "strip color");
+  GlTexture depth_ = make_texture(GL_TEXTURE_2D, "strip depth");
+  GlFramebuffer framebuffer_ = make_framebuffer("strip");
+};
+
+void draw_strip(StreamBuffer& stream, BladePass& blades, const StripCell& strip, const StripSward& sward,
+                std::span<const SpeciesParams> species, double tile_m, const Facing& facing, GLuint program) {
+  bind_uniform_block(stream, layouts::kViewBlock, strip_view(facing));
+  blades.prepare(stream, strip.planned(), species);
+  glProgramUniform1ui(program, layouts::kStripBladeVertices, BladePass::vertices_per_blade(kSegments));
+  glProgramUniform1f(program, layouts::kStripBladeCount, static_cast<float>(strip.blades()));
+  glProgramUniform3fv(program, layouts::kStripBladeAlong, 1, &facing.along[0]);
+  glProgramUniform1f(program, layouts::kStripBladeHeight, sward.longest_m);
+  const auto side_m = static_cast<float>(tile_m);
+  for (const float shift_m : {-side_m, 0.0f, side_m}) {
+    glProgramUniform1f(program, layouts::kStripBladeShift, shift_m);
+    blades.draw(stream, program);
+  }
+}
+
+void upload_levels(const GlTexture& texture, int layer, const StripDrawing& drawing) {
+  const std::vector<StripLevel> levels = strip_levels(drawing);
+  for (int n = 0; n < kLevels; ++n) {
+    const StripLevel& level = levels[static_cast<std::size_t>(n)];
+    glTextureSubImage3D(texture.get(), n, 0, 0, layer, level.columns, level.rows, 1, GL_RGBA,
+                        GL_UNSIGNED_BYTE, level.rgba.data());
+  }
 }
 
 }  // namespace
 
-StripPainter::StripPainter(const World& world, const std::filesystem::path& shader_folder)
-    : world_(&world),
-      program_(make_program(shader_folder, {"pass/strip_blade.vert", "pass/strip_blade.frag"})) {}
-
-GlTexture StripPainter::paint(StreamBuffer& stream, BladePass& blades, const FrameParams& light,
-                              std::span<const SpeciesParams> species, std::vector<StripTraits>& traits) {
-  traits.assign(species.size(), {});
-  const Meadow& meadow = world_->meadow();
-  const int layers = kStripFacings * static_cast<int>(species.size());
-  const int levels = std::bit_width(static_cast<unsigned>(kStripColumns));
-  GlTexture texture = make_texture(GL_TEXTURE_2D_ARRAY);
-  glTextureStorage3D(texture.get(), levels, GL_RGBA8, kStripColumns, kStripRows, layers);
-  glTextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-  glTextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glTextureParameteri(texture.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-
-  GlTexture color = make_texture(GL_TEXTURE_2D);
-  GlTexture depth = make_texture(GL_TEXTURE_2D);
-  GlFramebuffer framebuffer = make_framebuffer();
-  glTextureStorage2D(color.get(), 1, GL_RGBA32F, kStripColumns, kStripRows);
-  glTextureStorage2D(depth.get(), 1, GL_DEPTH_COMPONENT32F, kStripColumns, kStripRows);
-  glNamedFramebufferTexture(framebuffer.get(), GL_COLOR_ATTACHMENT0, color.get(), 0);
-  glNamedFramebufferTexture(framebuffer.get(), GL_DEPTH_ATTACHMENT, depth.get(), 0);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-  glViewport(0, 0, kStripColumns, kStripRows);
-  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-
+StripTexture paint_strips(StreamBuffer& stream, BladePass& blades, std::span<const SpeciesParams> species,
+                          double tile_m, std::uint64_t seed, const std::filesystem::path& shader_folder) {
+  const GlProgram program = make_program(shader_folder, {"pass/strip_blade.vert", "pass/strip_blade.frag"});
+  StripTexture strips{make_strip_texture(kStripFacings * static_cast<int>(species.size())),
+                      std::vector<StripTraits>(species.size())};
+  const StripCanvas canvas;
   float all_per_m2 = 0.0f;
   for (const SpeciesParams& params : species) all_per_m2 += params.densest_per_m2;
-  std::vector<SpeciesParams> widened(species.begin(), species.end());
-  GlBuffer frame_block;
   for (std::uint32_t s = 0; s < species.size(); ++s) {
-    const Meadow strip = strip_meadow(meadow, species[s], static_cast<float>(meadow.tile_m) / kStripColumns);
-    widened[s] = strip.species[0].species.params;
-    const FramePlan plan = plan_of(strip, s, all_per_m2);
-    const float longest_m = species[s].height_m * (1.0f + layouts::kTallestSpread * species[s].height_spread);
+    const StripSward sward = strip_sward(species[s], static_cast<float>(tile_m) / kStripColumns);
+    const StripCell strip = strip_cell(sward, s, all_per_m2, tile_m, seed);
+    std::vector<SpeciesParams> widened(species.begin(), species.end());
+    widened[s] = sward.species;
+    StripTraits& traits = strips.traits[s];
     for (int facing = 0; facing < kStripFacings; ++facing) {
-      FrameParams frame = light;
-      frame.parallel = 1.0f;
-      frame.towards_eye = kFacing[facing].towards_eye;
-      frame.lod = plan.lod;
-      frame.lod_eye_m = glm::vec3(0.0f);
-      frame.tint = 0.0f;
-      frame.haze_per_m = 0.0f;
-      frame.strip_height_m = longest_m;
-      frame_block.upload(&frame, sizeof(frame));
-      glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_block.get());
-      const float nothing[4] = {0.0f, 0.0f, 0.0f, 1.0f};
-      const float far = 0.0f;
-      glClearNamedFramebufferfv(framebuffer.get(), GL_COLOR, 0, nothing);
-      glClearNamedFramebufferfv(framebuffer.get(), GL_DEPTH, 0, &far);
-      stream.begin_frame();
-      blades.prepare(stream, plan, widened);
-      glProgramUniform1ui(program_.get(), 0, BladePass::vertices_per_blade(kSegments));
-      glProgramUniform1f(program_.get(), 1, static_cast<float>(plan.blades_drawn));
-      glProgramUniform3fv(program_.get(), 3, 1, &kFacing[facing].along[0]);
-      for (const float shift : {-frame.tile_m, 0.0f, frame.tile_m}) {
-        glProgramUniform1f(program_.get(), 2, shift);
-        blades.draw(stream, program_.get());
-      }
-      StripDrawing drawing{kStripColumns, kStripRows, {}};
-      drawing.rgba.resize(std::size_t{4} * kStripColumns * kStripRows);
-      glGetTextureImage(color.get(), 0, GL_RGBA, GL_FLOAT,
-                        static_cast<GLsizei>(drawing.rgba.size() * sizeof(float)), drawing.rgba.data());
-      traits[s].standing_share = std::max(traits[s].standing_share, standing_share(drawing));
-      const std::vector<StripLevel> drawn_levels = strip_levels(drawing);
-      for (int level = 0; level < levels; ++level) {
-        const StripLevel& drawn = drawn_levels[level];
-        glTextureSubImage3D(texture.get(), level, 0, 0, static_cast<int>(s) * kStripFacings + facing,
-                            drawn.columns, drawn.rows, 1, GL_RGBA, GL_UNSIGNED_BYTE, drawn.rgba.data());
-      }
+      canvas.begin();
+      draw_strip(stream, blades, strip, sward, widened, tile_m, kFacing[facing], program.get());
+      const StripDrawing drawing = canvas.drawing();
+      traits.standing_share = std::max(traits.standing_share, standing_share(drawing));
+      upload_levels(strips.texture, static_cast<int>(s) * kStripFacings + facing, drawing);
     }
-    widened[s] = species[s];
-    traits[s].tip_share = tip_share(species[s]);
+    traits.tip_share = tip_share(species[s]);
   }
-  return texture;
+  return strips;
 }
 
 }  // namespace prairie

@@ -1,9 +1,13 @@
 #include "render/grass/strip_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "render/gl/shader_program.h"
+#include "render/gl/vertex_layout.h"
 #include "render/grass/compute_batch.h"
 
 namespace prairie {
@@ -13,6 +17,13 @@ constexpr std::uint32_t kSides = 4;
 constexpr std::uint32_t kNearQuads = layouts::kStripQuads;
 // Sides whose indices lie ready; more are drawn by shifting the base vertex.
 constexpr std::uint32_t kIndexedSides = 4096;
+
+constexpr std::array<VertexAttribute, 4> kVertexAttributes{{
+    {3, GL_FLOAT, offsetof(StripVertex, position_m)},
+    {3, GL_UNSIGNED_INT_10F_11F_11F_REV, offsetof(StripVertex, radiance)},
+    {3, GL_FLOAT, offsetof(StripVertex, place)},
+    {1, GL_FLOAT, offsetof(StripVertex, shown)},
+}};
 
 std::uint32_t columns_of(std::uint32_t quads) {
   return quads + 1;
@@ -32,64 +43,55 @@ std::vector<std::uint16_t> indices_of(std::uint32_t quads) {
 
 }  // namespace
 
-StripPass::StripPass(const std::filesystem::path& shader_folder)
-    : lay_program_(shader_folder, {"pass/strips.comp"}),
+StripPass::StripPass(const std::filesystem::path& shader_folder, StripTexture texture)
+    : texture_(std::move(texture)),
+      lay_program_(shader_folder, {"pass/strips.comp"}),
       draw_program_(make_program(shader_folder, {"pass/strip.vert", "pass/strip.frag"})),
-      vertex_array_(make_vertex_array()) {
+      vertex_array_(make_vertex_array(kVertexAttributes, "strips")) {
   near_indices_.upload(std::span<const std::uint16_t>(indices_of(kNearQuads)));
   far_indices_.upload(std::span<const std::uint16_t>(indices_of(1)));
-  const GLuint array = vertex_array_.get();
-  const auto attribute = [&](GLuint index, GLint size, GLenum type, GLboolean normalized,
-                             std::size_t offset) {
-    glEnableVertexArrayAttrib(array, index);
-    glVertexArrayAttribFormat(array, index, size, type, normalized, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(array, index, 0);
-  };
-  attribute(0, 3, GL_FLOAT, GL_FALSE, offsetof(StripVertex, position_m));
-  attribute(1, 3, GL_UNSIGNED_INT_10F_11F_11F_REV, GL_FALSE, offsetof(StripVertex, radiance));
-  attribute(2, 3, GL_FLOAT, GL_FALSE, offsetof(StripVertex, place));
-  attribute(3, 1, GL_FLOAT, GL_FALSE, offsetof(StripVertex, shown));
 }
 
 void StripPass::lay(const Run& run, GLuint program) {
   if (run.tiles == 0) return;
   const std::uint32_t columns = run.tiles * kSides * columns_of(run.quads);
-  glProgramUniform1ui(program, 0, columns);
-  glProgramUniform1ui(program, 1, run.first_tile);
-  glProgramUniform1ui(program, 2, run.first_column);
-  glProgramUniform1ui(program, 3, run.quads);
+  glProgramUniform1ui(program, layouts::kLayColumnCount, columns);
+  glProgramUniform1ui(program, layouts::kLayFirstTile, run.first_tile);
+  glProgramUniform1ui(program, layouts::kLayFirstColumn, run.first_column);
+  glProgramUniform1ui(program, layouts::kLayQuads, run.quads);
   glDispatchCompute((columns + layouts::kPlantingGroup - 1) / layouts::kPlantingGroup, 1, 1);
 }
 
-void StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-                        std::span<const StripTraits> traits, GrassVariant variant) {
+bool StripPass::prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
+                        GrassVariant variant) {
   const auto tiles = static_cast<std::uint32_t>(plan.strips.size());
   near_ = {0, plan.near_strips, kNearQuads, 0};
   far_ = {plan.near_strips, tiles - plan.near_strips, 1, plan.near_strips * kSides * columns_of(kNearQuads)};
   triangles_ = std::uint64_t{2} * kSides * (near_.tiles * near_.quads + far_.tiles * far_.quads);
-  if (tiles == 0) return;
+  if (tiles == 0) return false;
   tiles_.show(stream, std::span<const StripTile>(plan.strips));
   species_.show(stream, species);
-  traits_.show(stream, traits);
+  traits_.show(stream, std::span<const StripTraits>(texture_.traits));
   vertices_.reserve((far_.first_column + std::size_t{far_.tiles} * kSides * columns_of(1)) * 2 *
                     sizeof(StripVertex));
-  glVertexArrayVertexBuffer(vertex_array_.get(), 0, vertices_.get(), 0, sizeof(StripVertex));
+  set_vertices(vertex_array_, vertices_, sizeof(StripVertex));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, vertices_.get());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layouts::kResultBuffer, vertices_.get());
   const GLuint lay_program = lay_program_.get(variant);
   glUseProgram(lay_program);
-  glBindTextureUnit(0, tiles_.texture());
-  glBindTextureUnit(1, traits_.texture());
-  glBindTextureUnit(2, species_.texture());
+  tiles_.bind(layouts::kStripTileUnit);
+  traits_.bind(layouts::kStripTraitsUnit);
+  species_.bind(layouts::kSpeciesUnit);
   lay(near_, lay_program);
   lay(far_, lay_program);
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+  return true;
 }
 
-void StripPass::draw(GLuint strip_texture) {
+void StripPass::draw() {
   glUseProgram(draw_program_.get());
   glBindVertexArray(vertex_array_.get());
-  glBindTextureUnit(0, strip_texture);
+  glBindTextureUnit(layouts::kStripUnit, texture_.texture.get());
   for (const Run& run : {near_, far_}) {
     glVertexArrayElementBuffer(vertex_array_.get(),
                                run.quads == 1 ? far_indices_.get() : near_indices_.get());

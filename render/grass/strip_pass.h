@@ -6,31 +6,27 @@
 #include <filesystem>
 
 #include "lod/frame_plan.h"
-#include "lod/sward/tip_share.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/stream_buffer.h"
 #include "render/gl/texel_view.h"
 #include "render/grass/moving_program.h"
+#include "render/grass/strip_painter.h"
 
 namespace prairie {
 
-/// What the strips of a species are like.
-struct StripTraits {
-  float standing_share = 0.0f;  // of the texture's height: up to where blades stand
-  float reserved = 0.0f;        // fills the texel
-  TipShare tip_share;           // how far wind moves its tips
-};
-
 class StripPass {
  public:
-  explicit StripPass(const std::filesystem::path& shader_folder);
+  static constexpr DrawState kState{};
 
-  /// Lays the plan's strips. The frame block and the sward's tables must be bound.
-  /// For any variant but the plain one the moving fields must be too.
-  void prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
-               std::span<const StripTraits> traits, GrassVariant variant);
-  /// Draws them with a texture of lod/sward/strip_texture.h.
-  void draw(GLuint strip_texture);
+  /// `texture`: of the field's species (render/grass/strip_painter.h).
+  StripPass(const std::filesystem::path& shader_folder, StripTexture texture);
+
+  /// Lays the plan's strips; whether there are any. The frame's blocks and the sward's tables must be bound,
+  /// and for any variant but the plain one the moving fields.
+  bool prepare(StreamBuffer& stream, const FramePlan& plan, std::span<const SpeciesParams> species,
+               GrassVariant variant);
+  void draw();
 
   std::uint64_t triangles() const { return triangles_; }
 
@@ -44,15 +40,16 @@ class StripPass {
   };
   void lay(const Run& run, GLuint program);
 
+  StripTexture texture_;
   MovingProgram lay_program_;
   GlProgram draw_program_;
   GlVertexArray vertex_array_;
-  GlBuffer vertices_;
-  GlBuffer near_indices_;
-  GlBuffer far_indices_;
-  TexelView tiles_{GL_RGBA32UI};
-  TexelView species_{GL_RGBA32F};
-  TexelView traits_{GL_RGBA32F};
+  GlBuffer vertices_{"strip vertices"};
+  GlBuffer near_indices_{"near strips' indices"};
+  GlBuffer far_indices_{"far strips' indices"};
+  TexelView tiles_{GL_RGBA32UI, "strip tiles"};
+  TexelView species_{GL_RGBA32F, "strip species"};
+  TexelView traits_{GL_RGBA32F, "strip traits"};
   Run near_;
   Run far_;
   std::uint64_t triangles_ = 0;

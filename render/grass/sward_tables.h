@@ -2,41 +2,27 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "generator/meadow.h"
+#include "lod/sward/field_look.h"
 #include "render/gl/gl_objects.h"
 #include "shaders/shared/layouts.h"
 
 namespace prairie {
 
-/// What the frame block tells of a field's blades.
-struct FieldLook {
-  glm::vec3 mean_albedo{0.0f};         // of its leaves
-  double projected_from_above = 0.5;   // leaf area seen straight from above per leaf area
-  double density_per_leaf_area = 1.0;  // blades per square metre of leaf
-  double height_m = 0.0;               // mean height of standing blades
-  double blade_width_m = 0.0;
-};
-
 class SwardTables {
  public:
-  explicit SwardTables(const Meadow& meadow);
+  SwardTables(const Meadow& meadow, const LightParams& light);
 
-  /// Makes the tables anew for a light: sun, ambients and horizon of the frame block.
-  void set_light(const FrameParams& light);
+  /// For all that is drawn or computed from now on.
   void bind() const;
 
   const FieldLook& field() const { return field_; }
   /// The species with what the renderer finds.
-  std::span<const SpeciesParams> species() const { return species_; }
-  /// What one blade of each species shows from above, m².
-  std::span<const double> blade_area_from_above_m2() const { return blade_area_from_above_m2_; }
+  std::span<const SpeciesParams> species() const { return mix_.species; }
 
  private:
-  std::vector<SpeciesParams> species_;
-  std::vector<double> densities_per_m2_;  // means over the field
-  std::vector<double> blade_area_from_above_m2_;
+  FieldMix mix_;
   FieldLook field_;
   GlTexture free_;
   GlTexture shaded_;

@@ -6,7 +6,6 @@ namespace prairie {
 namespace {
 
 constexpr std::size_t kWords = 36;  // nine texels
-constexpr GLuint kCellUnit = 10, kSlotUnit = 11, kChainUnit = 12;
 
 void append(const Kernels::BladeChain& chain, std::vector<float>& out) {
   const std::size_t first = out.size();
@@ -43,9 +42,9 @@ void TouchedChains::show(StreamBuffer& stream, std::span<const DrawnCell> run) {
     run_cells_.push_back(found == first_slots_.end() ? 0 : found->second + 1);
   }
   cell_view_.show(stream, std::span<const std::uint32_t>(run_cells_));
-  glBindTextureUnit(kCellUnit, cell_view_.texture());
-  glBindTextureUnit(kSlotUnit, slot_view_.texture());
-  glBindTextureUnit(kChainUnit, chain_view_.texture());
+  cell_view_.bind(layouts::kTouchedCellUnit);
+  slot_view_.bind(layouts::kTouchedSlotUnit);
+  chain_view_.bind(layouts::kTouchedChainUnit);
 }
 
 }  // namespace prairie

@@ -34,9 +34,9 @@ class TouchedChains {
   std::vector<std::uint32_t> slots_;
   std::vector<float> chains_;
   std::vector<std::uint32_t> run_cells_;
-  TexelView cell_view_{GL_R32UI};
-  TexelView slot_view_{GL_R32UI};
-  TexelView chain_view_{GL_RGBA32F};
+  TexelView cell_view_{GL_R32UI, "touched cells"};
+  TexelView slot_view_{GL_R32UI, "touched slots"};
+  TexelView chain_view_{GL_RGBA32F, "touched chains"};
 };
 
 }  // namespace prairie

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 
+#include "render/gl/paint_texture.h"
 #include "render/gl/shader_program.h"
+#include "shaders/shared/layouts.h"
 
 namespace prairie {
 namespace {
@@ -20,35 +22,20 @@ glm::mat3 view_directions(const Camera& camera) {
 }  // namespace
 
 SkyPass::SkyPass(const std::filesystem::path& shader_folder)
-    : map_program_(make_program(shader_folder, {"pass/screen.vert", "pass/sky_map.frag"})),
-      draw_program_(make_program(shader_folder, {"pass/screen.vert", "pass/sky.frag"})),
-      no_vertices_(make_vertex_array()),
-      map_(make_texture(GL_TEXTURE_2D)) {
+    : program_(make_program(shader_folder, {"pass/screen.vert", "pass/sky.frag"})),
+      map_(make_texture(GL_TEXTURE_2D, "sky map")) {
   glTextureStorage2D(map_.get(), 1, GL_RGBA16F, kMapSide, kMapSide);
-  glTextureParameteri(map_.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(map_.get(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(map_.get(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-void SkyPass::set_light() {
-  GlFramebuffer framebuffer = make_framebuffer();
-  glNamedFramebufferTexture(framebuffer.get(), GL_COLOR_ATTACHMENT0, map_.get(), 0);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-  glViewport(0, 0, kMapSide, kMapSide);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glUseProgram(map_program_.get());
-  glBindVertexArray(no_vertices_.get());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  set_sampling(map_, {.minified = GL_LINEAR, .magnified = GL_LINEAR, .wrap = GL_CLAMP_TO_EDGE});
+  const GlProgram map_program = make_program(shader_folder, {"pass/screen.vert", "pass/sky_map.frag"});
+  paint_texture(map_program.get(), {{map_.get()}}, {kMapSide, kMapSide});
 }
 
 void SkyPass::draw(const Camera& camera) {
   const glm::mat3 scene_from_view = view_directions(camera);
-  glUseProgram(draw_program_.get());
-  glProgramUniformMatrix3fv(draw_program_.get(), 0, 1, GL_FALSE, &scene_from_view[0][0]);
-  glBindTextureUnit(0, map_.get());
-  glBindVertexArray(no_vertices_.get());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glUseProgram(program_.get());
+  glProgramUniformMatrix3fv(program_.get(), layouts::kSkyDirections, 1, GL_FALSE, &scene_from_view[0][0]);
+  glBindTextureUnit(layouts::kSkyMapUnit, map_.get());
+  triangle_.draw();
 }
 
 }  // namespace prairie

@@ -4,22 +4,24 @@
 #include <filesystem>
 
 #include "lod/camera.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/gl_objects.h"
+#include "render/gl/screen_triangle.h"
 
 namespace prairie {
 
 class SkyPass {
  public:
+  static constexpr DrawState kState{.depth_test = DepthTest::kCloserOrEqual, .writes_depth = false};
+
+  /// Makes the map for the bound light. The noise texture must be bound.
   explicit SkyPass(const std::filesystem::path& shader_folder);
 
-  /// Makes the map for the bound frame block's light. The noise texture must be bound.
-  void set_light();
   void draw(const Camera& camera);
 
  private:
-  GlProgram map_program_;
-  GlProgram draw_program_;
-  GlVertexArray no_vertices_;
+  GlProgram program_;
+  ScreenTriangle triangle_;
   GlTexture map_;
 };
 

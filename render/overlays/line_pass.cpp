@@ -12,8 +12,6 @@
 namespace prairie {
 namespace {
 
-constexpr GLuint kTableBinding = 5;
-constexpr GLint kShownLocation = 0, kSizeLocation = 1, kHalfWidthLocation = 2;
 constexpr GLsizei kVerticesPerLine = 6;
 constexpr float kShownWhereHidden = 0.12f;
 constexpr float kWidthOfHeight = 1.0f / 480.0f;  // of the picture's
@@ -22,11 +20,11 @@ constexpr float kThinnestPx = 1.5f;
 }  // namespace
 
 LinePass::LinePass(std::filesystem::path shader_folder)
-    : shader_folder_(std::move(shader_folder)), no_vertices_(make_vertex_array()) {}
+    : shader_folder_(std::move(shader_folder)), no_vertices_(make_vertex_array("lines")) {}
 
-void LinePass::prepare(StreamBuffer& stream, std::span<const LineSegment> lines, const Camera& camera) {
+bool LinePass::prepare(StreamBuffer& stream, std::span<const LineSegment> lines, const Camera& camera) {
   count_ = 0;
-  if (lines.empty()) return;
+  if (lines.empty()) return false;
   const Frustum frustum(camera);
   std::vector<LineParams> seen;
   for (const LineSegment& line : lines) {
@@ -38,10 +36,11 @@ void LinePass::prepare(StreamBuffer& stream, std::span<const LineSegment> lines,
     seen.push_back(params);
   }
   count_ = seen.size();
-  if (count_ == 0) return;
+  if (count_ == 0) return false;
   table_ = stream.write(seen.data(), count_ * sizeof(LineParams));
   size_px_ = glm::vec2(camera.size_px);
   if (program_.get() == 0) program_ = make_program(shader_folder_, {"pass/line.vert", "pass/line.frag"});
+  return true;
 }
 
 void LinePass::draw() {
@@ -49,19 +48,15 @@ void LinePass::draw() {
   const GLuint program = program_.get();
   glUseProgram(program);
   glBindVertexArray(no_vertices_.get());
-  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, kTableBinding, table_.buffer, table_.offset, table_.bytes);
-  glProgramUniform2f(program, kSizeLocation, size_px_.x, size_px_.y);
-  glProgramUniform1f(program, kHalfWidthLocation, 0.5f * std::max(kWidthOfHeight * size_px_.y, kThinnestPx));
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  // Depth is reversed: the less is the farther.
-  for (const auto& [test, share] : {std::pair(GL_LESS, kShownWhereHidden), std::pair(GL_GEQUAL, 1.0f)}) {
-    glDepthFunc(test);
-    glProgramUniform1f(program, kShownLocation, share);
+  bind_storage(layouts::kThingBuffer, table_);
+  glProgramUniform2f(program, layouts::kLineSize, size_px_.x, size_px_.y);
+  glProgramUniform1f(program, layouts::kLineHalfWidth,
+                     0.5f * std::max(kWidthOfHeight * size_px_.y, kThinnestPx));
+  for (const auto& [state, share] : {std::pair(kHiddenState, kShownWhereHidden), std::pair(kState, 1.0f)}) {
+    set_draw_state(state);
+    glProgramUniform1f(program, layouts::kOverlayShown, share);
     glDrawArrays(GL_TRIANGLES, 0, kVerticesPerLine * static_cast<GLsizei>(count_));
   }
-  glDisable(GL_BLEND);
 }
 
 }  // namespace prairie

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "lod/camera.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/stream_buffer.h"
 #include "render/overlays/line_segment.h"
@@ -19,15 +20,22 @@ namespace prairie {
 
 class LinePass {
  public:
+  static constexpr DrawState kState{
+      .depth_test = DepthTest::kCloserOrEqual, .writes_depth = false, .blends = true};
+
   explicit LinePass(std::filesystem::path shader_folder);
 
-  /// Hands a frame's lines to the device. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
-  void prepare(StreamBuffer& stream, std::span<const LineSegment> lines, const Camera& camera);
-  /// Blends them into the bound target, depth-tested against it; the frame block must be bound. Leaves the
+  /// Hands a frame's lines to the device; whether any are seen. Throws NoSuitableOpenGl, BadInput where
+  /// shaders cannot be made.
+  bool prepare(StreamBuffer& stream, std::span<const LineSegment> lines, const Camera& camera);
+  /// Blends them into the bound target, depth-tested against it; the frame's blocks must be bound. Leaves the
   /// target's alpha and depth as they are.
   void draw();
 
  private:
+  static constexpr DrawState kHiddenState{
+      .depth_test = DepthTest::kFarther, .writes_depth = false, .blends = true};
+
   std::filesystem::path shader_folder_;
   GlProgram program_;
   GlVertexArray no_vertices_;

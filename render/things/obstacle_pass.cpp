@@ -14,9 +14,11 @@
 #include "lod/frustum.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/shader_program.h"
+#include "render/gl/vertex_layout.h"
 #include "render/things/obstacle_texture.h"
 #include "render/things/shapes/obstacle_mesh.h"
 #include "render/things/shapes/wall_mesh.h"
+#include "shaders/shared/layouts.h"
 
 namespace prairie {
 namespace {
@@ -31,6 +33,14 @@ struct DeviceVertex {
   glm::vec3 map_and_height;
   glm::u8vec4 tint_and_layer;
 };
+
+constexpr std::array<VertexAttribute, 5> kVertexAttributes{{
+    {3, GL_FLOAT, offsetof(DeviceVertex, place_m)},
+    {3, GL_FLOAT, offsetof(DeviceVertex, facing)},
+    {3, GL_FLOAT, offsetof(DeviceVertex, along)},
+    {3, GL_FLOAT, offsetof(DeviceVertex, map_and_height)},
+    {4, GL_UNSIGNED_BYTE, offsetof(DeviceVertex, tint_and_layer)},
+}};
 
 DeviceVertex device_vertex(const ObstacleVertex& vertex, glm::dvec3 origin_m) {
   const glm::vec3 tint = glm::clamp(vertex.tint * 127.5f, glm::vec3(0.0f), glm::vec3(255.0f));
@@ -116,8 +126,7 @@ Squares sorted_into_squares(const Meshes& meshes) {
 
 struct ObstaclePass::Device {
   Device(const std::filesystem::path& shader_folder, const Meshes& meshes)
-      : program(make_program(shader_folder, {"pass/obstacle.vert", "pass/obstacle.frag"})),
-        vertex_array(make_vertex_array()) {
+      : program(make_program(shader_folder, {"pass/obstacle.vert", "pass/obstacle.frag"})) {
     std::array<bool, kObstacleMaterials> materials{};
     for (const ObstacleMesh& mesh : meshes) {
       for (const ObstacleVertex& vertex : mesh.vertices)
@@ -128,27 +137,15 @@ struct ObstaclePass::Device {
     squares = std::move(sorted.squares);
     vertices.upload(std::span<const DeviceVertex>(sorted.vertices));
     indices.upload(std::span<const std::uint32_t>(sorted.indices));
-    const GLuint array = vertex_array.get();
-    glVertexArrayVertexBuffer(array, 0, vertices.get(), 0, sizeof(DeviceVertex));
-    glVertexArrayElementBuffer(array, indices.get());
-    for (const auto& [index, offset] :
-         {std::pair(0u, offsetof(DeviceVertex, place_m)), std::pair(1u, offsetof(DeviceVertex, facing)),
-          std::pair(2u, offsetof(DeviceVertex, along)),
-          std::pair(3u, offsetof(DeviceVertex, map_and_height))})
-      glVertexArrayAttribFormat(array, index, 3, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    glVertexArrayAttribFormat(array, 4, 4, GL_UNSIGNED_BYTE, GL_FALSE,
-                              offsetof(DeviceVertex, tint_and_layer));
-    for (const GLuint index : {0u, 1u, 2u, 3u, 4u}) {
-      glEnableVertexArrayAttrib(array, index);
-      glVertexArrayAttribBinding(array, index, 0);
-    }
+    set_vertices(vertex_array, vertices, sizeof(DeviceVertex));
+    glVertexArrayElementBuffer(vertex_array.get(), indices.get());
   }
 
   GlProgram program;
-  GlVertexArray vertex_array;
+  GlVertexArray vertex_array = make_vertex_array(kVertexAttributes, "obstacles");
   ObstacleTexture texture;
-  GlBuffer vertices;
-  GlBuffer indices;
+  GlBuffer vertices{"obstacle vertices"};
+  GlBuffer indices{"obstacle indices"};
   std::vector<Square> squares;
 };
 
@@ -164,9 +161,10 @@ void ObstaclePass::set(const StandingThings& things, const HeightField& ground) 
   seen_.clear();
 }
 
-void ObstaclePass::prepare(const Camera& camera) {
+bool ObstaclePass::prepare(const Camera& camera) {
   seen_.clear();
-  if (!device_) return;
+  triangles_drawn_ = 0;
+  if (!device_) return false;
   const Frustum frustum(camera);
   for (std::size_t n = 0; n < device_->squares.size(); ++n) {
     const Square& square = device_->squares[n];
@@ -176,6 +174,7 @@ void ObstaclePass::prepare(const Camera& camera) {
     seen_.push_back({distance_m, n, is_far, glm::vec3(square.origin_m - camera.eye_m)});
   }
   std::ranges::stable_sort(seen_, {}, &Seen::distance_m);
+  return !seen_.empty();
 }
 
 void ObstaclePass::draw() {
@@ -184,19 +183,17 @@ void ObstaclePass::draw() {
   const GLuint program = device_->program.get();
   glUseProgram(program);
   glBindVertexArray(device_->vertex_array.get());
-  glBindTextureUnit(1, device_->texture.albedo.get());
-  glBindTextureUnit(2, device_->texture.surface.get());
-  glEnable(GL_CULL_FACE);  // what stands is closed above the ground
+  glBindTextureUnit(layouts::kObstacleAlbedoUnit, device_->texture.albedo.get());
+  glBindTextureUnit(layouts::kObstacleSurfaceUnit, device_->texture.surface.get());
   for (const Seen& seen : seen_) {
     const Square& square = device_->squares[seen.square];
-    glProgramUniform3fv(program, 0, 1, &seen.origin_from_eye_m[0]);
+    glProgramUniform3fv(program, layouts::kObstacleOrigin, 1, &seen.origin_from_eye_m[0]);
     const std::size_t first = square.first_index + (seen.is_far ? square.near_trunks : 0);
     const std::size_t indices = square.others + (seen.is_far ? square.far_trunks : square.near_trunks);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
     triangles_drawn_ += indices / 3;
   }
-  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace prairie

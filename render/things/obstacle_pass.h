@@ -11,11 +11,15 @@
 
 #include "agents/obstacle.h"
 #include "lod/camera.h"
+#include "render/gl/draw_state.h"
 
 namespace prairie {
 
 class ObstaclePass {
  public:
+  /// What stands is closed above the ground.
+  static constexpr DrawState kState{.culls_backs = true};
+
   explicit ObstaclePass(std::filesystem::path shader_folder);
   ~ObstaclePass();
   ObstaclePass(const ObstaclePass&) = delete;
@@ -24,9 +28,9 @@ class ObstaclePass {
   /// From now on these stand on that ground. Throws NoSuitableOpenGl, BadInput where shaders cannot be made,
   /// and BadInput on an outline that convex_pieces() refuses; what stood before then still does.
   void set(const StandingThings& things, const HeightField& ground);
-  /// Finds what a frame sees, nearest first.
-  void prepare(const Camera& camera);
-  /// Draws it; the frame block must be bound.
+  /// Finds what a frame sees, nearest first; whether there is anything.
+  bool prepare(const Camera& camera);
+  /// Draws it; the frame's blocks must be bound.
   void draw();
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 

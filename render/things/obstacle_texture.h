@@ -16,8 +16,8 @@ struct ObstacleTexture {
   GlTexture surface;  // normal from -1 to 1, its z outwards, and openness to the sky
 };
 
-/// `materials`: which of the layers (by ObstacleMaterial) are needed. Leaves depth test on, and program and
-/// vertex array changed. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
+/// `materials`: which of the layers (by ObstacleMaterial) are needed. Throws NoSuitableOpenGl, BadInput where
+/// shaders cannot be made.
 ObstacleTexture paint_obstacle_texture(const std::filesystem::path& shader_folder,
                                        std::span<const bool> materials);
 

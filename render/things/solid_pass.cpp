@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/gl/packed_meshes.h"
 #include "render/gl/shader_program.h"
 #include "render/things/shapes/solid_mesh.h"
 #include "render/things/stone_map.h"
@@ -93,41 +94,20 @@ std::size_t shape_of(std::size_t mesh) {
   return mesh < kSpheres ? 0 : mesh - kSpheres + 1;
 }
 
+constexpr std::array<VertexAttribute, 2> kVertexAttributes{{
+    {3, GL_FLOAT, offsetof(SolidVertex, place)},
+    {3, GL_FLOAT, offsetof(SolidVertex, facing)},
+}};
+
+std::array<SolidMesh, kSphereSubdivisions.size() + 2> all_meshes() {
+  return {sphere_mesh(kSphereSubdivisions[0]), sphere_mesh(kSphereSubdivisions[1]),
+          sphere_mesh(kSphereSubdivisions[2]), box_mesh(), wheel_mesh()};
+}
+
 }  // namespace
 
 struct SolidPass::Device {
-  explicit Device(const std::filesystem::path& shader_folder)
-      : folder(shader_folder), vertex_array(make_vertex_array()) {
-    std::vector<SolidVertex> all_vertices;
-    std::vector<std::uint16_t> all_indices;
-    const std::array<SolidMesh, kMeshes> meshes{
-        sphere_mesh(kSphereSubdivisions[0]), sphere_mesh(kSphereSubdivisions[1]),
-        sphere_mesh(kSphereSubdivisions[2]), box_mesh(), wheel_mesh()};
-    for (std::size_t n = 0; n < kMeshes; ++n) {
-      const SolidMesh& mesh = meshes[n];
-      parts[n] = {all_indices.size() * sizeof(std::uint16_t), static_cast<GLsizei>(mesh.indices.size()),
-                  static_cast<GLint>(all_vertices.size())};
-      all_vertices.insert(all_vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-      all_indices.insert(all_indices.end(), mesh.indices.begin(), mesh.indices.end());
-    }
-    vertices.upload(std::span<const SolidVertex>(all_vertices));
-    indices.upload(std::span<const std::uint16_t>(all_indices));
-    const GLuint array = vertex_array.get();
-    glVertexArrayVertexBuffer(array, 0, vertices.get(), 0, sizeof(SolidVertex));
-    glVertexArrayElementBuffer(array, indices.get());
-    for (const auto& [index, offset] :
-         {std::pair(0u, offsetof(SolidVertex, place)), std::pair(1u, offsetof(SolidVertex, facing))}) {
-      glEnableVertexArrayAttrib(array, index);
-      glVertexArrayAttribFormat(array, index, 3, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-      glVertexArrayAttribBinding(array, index, 0);
-    }
-  }
-
-  struct Part {
-    std::size_t first_index_byte = 0;
-    GLsizei indices = 0;
-    GLint base_vertex = 0;
-  };
+  explicit Device(const std::filesystem::path& shader_folder) : folder(shader_folder) {}
 
   GLuint program(std::size_t shape) {
     if (programs[shape].get() == 0) {
@@ -145,19 +125,17 @@ struct SolidPass::Device {
   std::filesystem::path folder;
   std::array<GlProgram, kShapeDefines.size()> programs;
   StoneMap stone;
-  GlVertexArray vertex_array;
-  GlBuffer vertices;
-  GlBuffer indices;
-  std::array<Part, kMeshes> parts;
+  PackedMeshes meshes{std::span<const SolidMesh>(all_meshes()), kVertexAttributes, "solids"};
 };
 
 SolidPass::SolidPass(std::filesystem::path shader_folder) : shader_folder_(std::move(shader_folder)) {}
 
 SolidPass::~SolidPass() = default;
 
-void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, const Camera& camera) {
+bool SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, const Camera& camera) {
   batches_.clear();
-  if (solids.empty()) return;
+  triangles_drawn_ = 0;
+  if (solids.empty()) return false;
   if (!device_) device_ = std::make_unique<Device>(shader_folder_);
   struct Sorted {
     std::size_t mesh, map_level;
@@ -180,29 +158,24 @@ void SolidPass::prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids
     ++batches_.back().count;
   }
   table_ = stream.write(table.data(), table.size() * sizeof(SolidParams));
+  return true;
 }
 
 void SolidPass::draw() {
   triangles_drawn_ = 0;
   for (const Batch& batch : batches_) {
-    const Device::Part& part = device_->parts[batch.mesh];
     const GLuint program = device_->program(shape_of(batch.mesh));
     glUseProgram(program);
-    glProgramUniform1ui(program, 0, batch.first);
-    glBindVertexArray(device_->vertex_array.get());
+    glProgramUniform1ui(program, layouts::kFirstThing, batch.first);
     const bool is_stone = shape_of(batch.mesh) == layouts::kSolidSphere;
+    set_draw_state(is_stone ? kStoneState : kState);
     if (is_stone) {
-      glEnable(GL_CULL_FACE);
       const StoneMap::Level& level = device_->stone.levels[batch.map_level];
-      glBindTextureUnit(1, level.albedo.get());
-      glBindTextureUnit(2, level.surface.get());
+      glBindTextureUnit(layouts::kStoneAlbedoUnit, level.albedo.get());
+      glBindTextureUnit(layouts::kStoneSurfaceUnit, level.surface.get());
     }
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 5, table_.buffer, table_.offset, table_.bytes);
-    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_SHORT,
-                                      reinterpret_cast<const void*>(part.first_index_byte),
-                                      static_cast<GLsizei>(batch.count), part.base_vertex);
-    if (is_stone) glDisable(GL_CULL_FACE);
-    triangles_drawn_ += std::uint64_t{batch.count} * static_cast<std::uint64_t>(part.indices) / 3;
+    bind_storage(layouts::kThingBuffer, table_);
+    triangles_drawn_ += device_->meshes.draw(batch.mesh, batch.count);
   }
 }
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lod/camera.h"
-#include "render/gl/gl_objects.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/stream_buffer.h"
 
 namespace prairie {
@@ -36,20 +36,22 @@ struct DrawnSolid {
 
 class SolidPass {
  public:
+  static constexpr DrawState kState{};
+
   explicit SolidPass(std::filesystem::path shader_folder);
   ~SolidPass();
   SolidPass(const SolidPass&) = delete;
   SolidPass& operator=(const SolidPass&) = delete;
 
-  /// Hands a frame's solids to the device. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
-  void prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, const Camera& camera);
-  /// Draws them; the frame block must be bound.
+  /// Hands a frame's solids to the device; whether there are any. Throws NoSuitableOpenGl, BadInput where
+  /// shaders cannot be made.
+  bool prepare(StreamBuffer& stream, std::span<const DrawnSolid> solids, const Camera& camera);
+  /// Draws them; the frame's blocks must be bound.
   void draw();
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
-  // Spheres of three levels of detail, boxes, wheels.
-  static constexpr std::size_t kMeshes = 5;
+  static constexpr DrawState kStoneState{.culls_backs = true};  // the only closed ones
   struct Device;
   /// Solids of one mesh, and stones of one level of their map.
   struct Batch {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lod/frustum.h"
-#include "render/gl/gl_objects.h"
+#include "render/gl/packed_meshes.h"
 #include "render/gl/shader_program.h"
 #include "shaders/kernels/kernels.h"
 #include "shaders/shared/layouts.h"
@@ -48,6 +48,19 @@ constexpr std::array<glm::vec3, 5> kTrousers{{{0.028f, 0.036f, 0.058f},
                                               {0.060f, 0.068f, 0.084f}}};
 constexpr std::array<glm::vec3, 3> kShoes{
     {{0.045f, 0.026f, 0.015f}, {0.018f, 0.018f, 0.018f}, {0.10f, 0.085f, 0.07f}}};
+
+constexpr std::array<VertexAttribute, 4> kVertexAttributes{{
+    {3, GL_FLOAT, offsetof(WalkerVertex, place_m)},
+    {3, GL_FLOAT, offsetof(WalkerVertex, facing)},
+    {4, GL_UNSIGNED_BYTE, offsetof(WalkerVertex, skinning), Numbers::kIntegers},
+    {1, GL_FLOAT, offsetof(WalkerVertex, openness)},
+}};
+
+std::array<WalkerMesh, kWalkerLevels> all_levels() {
+  std::array<WalkerMesh, kWalkerLevels> levels;
+  for (std::size_t level = 0; level < kWalkerLevels; ++level) levels[level] = walker_mesh(level);
+  return levels;
+}
 
 /// A number below `count`, by the walker and by what is chosen.
 std::size_t choice(std::uint32_t seed, std::uint32_t what, std::size_t count) {
@@ -97,53 +110,21 @@ AlignedBox box_of(const WalkerLook& walker) {
 
 struct WalkerPass::Device {
   explicit Device(const std::filesystem::path& shader_folder)
-      : program(make_program(shader_folder, {"pass/walker.vert", "pass/walker.frag"})),
-        vertex_array(make_vertex_array()) {
-    std::vector<WalkerVertex> all_vertices;
-    std::vector<std::uint16_t> all_indices;
-    for (std::size_t level = 0; level < kWalkerLevels; ++level) {
-      const WalkerMesh mesh = walker_mesh(level);
-      parts[level] = {all_indices.size() * sizeof(std::uint16_t), static_cast<GLsizei>(mesh.indices.size()),
-                      static_cast<GLint>(all_vertices.size())};
-      all_vertices.insert(all_vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-      all_indices.insert(all_indices.end(), mesh.indices.begin(), mesh.indices.end());
-    }
-    vertices.upload(std::span<const WalkerVertex>(all_vertices));
-    indices.upload(std::span<const std::uint16_t>(all_indices));
-    const GLuint array = vertex_array.get();
-    glVertexArrayVertexBuffer(array, 0, vertices.get(), 0, sizeof(WalkerVertex));
-    glVertexArrayElementBuffer(array, indices.get());
-    glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(WalkerVertex, place_m));
-    glVertexArrayAttribFormat(array, 1, 3, GL_FLOAT, GL_FALSE, offsetof(WalkerVertex, facing));
-    glVertexArrayAttribIFormat(array, 2, 4, GL_UNSIGNED_BYTE, offsetof(WalkerVertex, skinning));
-    glVertexArrayAttribFormat(array, 3, 1, GL_FLOAT, GL_FALSE, offsetof(WalkerVertex, openness));
-    for (const GLuint index : {0u, 1u, 2u, 3u}) {
-      glEnableVertexArrayAttrib(array, index);
-      glVertexArrayAttribBinding(array, index, 0);
-    }
-  }
-
-  struct Part {
-    std::size_t first_index_byte = 0;
-    GLsizei indices = 0;
-    GLint base_vertex = 0;
-  };
+      : program(make_program(shader_folder, {"pass/walker.vert", "pass/walker.frag"})) {}
 
   GlProgram program;
-  GlVertexArray vertex_array;
-  GlBuffer vertices;
-  GlBuffer indices;
-  std::array<Part, kWalkerLevels> parts;
+  PackedMeshes meshes{std::span<const WalkerMesh>(all_levels()), kVertexAttributes, "walkers"};
 };
 
 WalkerPass::WalkerPass(std::filesystem::path shader_folder) : shader_folder_(std::move(shader_folder)) {}
 
 WalkerPass::~WalkerPass() = default;
 
-void WalkerPass::prepare(StreamBuffer& stream, std::span<const WalkerLook> walkers, const Camera& camera,
+bool WalkerPass::prepare(StreamBuffer& stream, std::span<const WalkerLook> walkers, const Camera& camera,
                          float sward_height_m) {
   counts_ = {};
-  if (walkers.empty()) return;
+  triangles_drawn_ = 0;
+  if (walkers.empty()) return false;
   if (!device_) device_ = std::make_unique<Device>(shader_folder_);
   const Frustum frustum(camera);
   std::array<std::vector<WalkerParams>, kWalkerLevels> by_level;
@@ -156,28 +137,24 @@ void WalkerPass::prepare(StreamBuffer& stream, std::span<const WalkerLook> walke
     counts_[level] = static_cast<std::uint32_t>(by_level[level].size());
     table.insert(table.end(), by_level[level].begin(), by_level[level].end());
   }
-  if (!table.empty()) table_ = stream.write(table.data(), table.size() * sizeof(WalkerParams));
+  if (table.empty()) return false;
+  table_ = stream.write(table.data(), table.size() * sizeof(WalkerParams));
+  return true;
 }
 
 void WalkerPass::draw() {
   triangles_drawn_ = 0;
   std::uint32_t first = 0;
-  glEnable(GL_CULL_FACE);  // the figure is closed
   for (std::size_t level = 0; level < kWalkerLevels; ++level) {
     const std::uint32_t count = counts_[level];
     if (count == 0) continue;
-    const Device::Part& part = device_->parts[level];
-    glUseProgram(device_->program.get());
-    glProgramUniform1ui(device_->program.get(), 0, first);
-    glBindVertexArray(device_->vertex_array.get());
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 5, table_.buffer, table_.offset, table_.bytes);
-    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.indices, GL_UNSIGNED_SHORT,
-                                      reinterpret_cast<const void*>(part.first_index_byte),
-                                      static_cast<GLsizei>(count), part.base_vertex);
-    triangles_drawn_ += std::uint64_t{count} * static_cast<std::uint64_t>(part.indices) / 3;
+    const GLuint program = device_->program.get();
+    glUseProgram(program);
+    glProgramUniform1ui(program, layouts::kFirstThing, first);
+    bind_storage(layouts::kThingBuffer, table_);
+    triangles_drawn_ += device_->meshes.draw(level, count);
     first += count;
   }
-  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace prairie

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "lod/camera.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/stream_buffer.h"
 #include "render/things/shapes/walker_mesh.h"
 #include "render/things/walker_look.h"
@@ -18,16 +19,19 @@ namespace prairie {
 
 class WalkerPass {
  public:
+  /// The figure is closed.
+  static constexpr DrawState kState{.culls_backs = true};
+
   explicit WalkerPass(std::filesystem::path shader_folder);
   ~WalkerPass();
   WalkerPass(const WalkerPass&) = delete;
   WalkerPass& operator=(const WalkerPass&) = delete;
 
-  /// Hands a frame's walkers to the device; `sward_height_m`: of the grass that they stand in. Throws
-  /// NoSuitableOpenGl, BadInput where shaders cannot be made.
-  void prepare(StreamBuffer& stream, std::span<const WalkerLook> walkers, const Camera& camera,
+  /// Hands a frame's walkers to the device; `sward_height_m`: of the grass that they stand in. Returns
+  /// whether anybody is seen. Throws NoSuitableOpenGl, BadInput where shaders cannot be made.
+  bool prepare(StreamBuffer& stream, std::span<const WalkerLook> walkers, const Camera& camera,
                float sward_height_m);
-  /// Draws them; the frame block must be bound.
+  /// Draws them; the frame's blocks must be bound.
   void draw();
   std::uint64_t triangles_drawn() const { return triangles_drawn_; }
 

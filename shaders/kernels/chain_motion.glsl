@@ -41,24 +41,9 @@ struct ChainTraits {
   float drag;            // force in weights of a segment in wind of 1 m/s
 };
 
-// A symmetric 4 × 4 matrix, then its LDLᵀ decomposition: l in the places of the off-diagonals, 1/d on the
-// diagonal.
-struct ChainMatrix {
-  float m11;
-  float m12;
-  float m13;
-  float m14;
-  float m22;
-  float m23;
-  float m24;
-  float m33;
-  float m34;
-  float m44;
-};
-
 // A state as the air meets it.
 struct ChainPose {
-  vec4 versine;  // of the segments' turns, see versine_share and sine_gap
+  vec4 versine;  // of the segments' turns, see rotation_vector.glsl
   vec4 gap;
   ChainVectors along;  // directions t
   ChainVectors past;   // W − v, m/s
@@ -93,35 +78,6 @@ float sixth_root(float x) {
   return result;
 }
 
-// (1 − cos φ)/φ² by φ², for φ ≤ π; error 4e-7.
-float versine_share(float square) {
-  precise float result =
-      0.49999967f +
-      square * (-0.041664984f + square * (0.0013875137f + square * (-2.4405824e-5f + square * 2.283768e-7f)));
-  return result;
-}
-
-// (φ − sin φ)/φ³ by φ², for φ ≤ π; error 3e-8.
-float sine_gap(float square) {
-  precise float result =
-      0.16666664f + square * (-0.0083332014f +
-                              square * (0.00019830499f + square * (-2.7248007e-6f + square * 2.1378746e-8f)));
-  return result;
-}
-
-// v turned by a rotation vector of at most π (Rodrigues).
-vec3 rotated(vec3 v, vec3 turn, float versine, float gap) {
-  precise float sine_share = 1.0f - gap * inner(turn, turn);
-  vec3 across = outer(turn, v);
-  precise vec3 result = v + across * sine_share + outer(turn, across) * versine;
-  return result;
-}
-
-vec3 rotated_by(vec3 v, vec3 turn) {
-  float square = inner(turn, turn);
-  return rotated(v, turn, versine_share(square), sine_gap(square));
-}
-
 // The directions of the segments.
 ChainVectors chain_directions(ChainVectors rest, ChainVectors turn) {
   ChainVectors along;
@@ -132,25 +88,12 @@ ChainVectors chain_directions(ChainVectors rest, ChainVectors turn) {
   return along;
 }
 
-// A rotation vector no longer than π: further than that no spring is wound.
-vec3 within_half_turn(vec3 turn) {
-  precise vec3 result = turn * min(1.0f, 3.1415925f / sqrt(inner(turn, turn) + 1.0e-12f));
-  return result;
-}
-
 ChainVectors within_half_turns(ChainVectors turn) {
   ChainVectors result;
   result.v1 = within_half_turn(turn.v1);
   result.v2 = within_half_turn(turn.v2);
   result.v3 = within_half_turn(turn.v3);
   result.v4 = within_half_turn(turn.v4);
-  return result;
-}
-
-// J_l(θ) rate: angular velocity.
-vec3 left_jacobian(vec3 turn, vec3 rate, float versine, float gap) {
-  vec3 across = outer(turn, rate);
-  precise vec3 result = rate + across * versine + outer(turn, across) * gap;
   return result;
 }
 
@@ -281,52 +224,6 @@ ChainPull chain_pull(ChainPose pose, ChainVectors turn, vec4 pressure) {
   pull.size = vec4(sqrt(inner(load.v1, load.v1)), sqrt(inner(load.v2, load.v2)),
                    sqrt(inner(load.v3, load.v3)), sqrt(inner(load.v4, load.v4)));
   return pull;
-}
-
-ChainMatrix decomposed(ChainMatrix m) {
-  ChainMatrix f;
-  precise float d1 = 1.0f / m.m11;
-  precise float l21 = m.m12 * d1;
-  precise float l31 = m.m13 * d1;
-  precise float l41 = m.m14 * d1;
-  precise float d2 = 1.0f / (m.m22 - l21 * m.m12);
-  precise float e32 = m.m23 - l31 * m.m12;
-  precise float e42 = m.m24 - l41 * m.m12;
-  precise float l32 = e32 * d2;
-  precise float l42 = e42 * d2;
-  precise float d3 = 1.0f / (m.m33 - l31 * m.m13 - l32 * e32);
-  precise float e43 = m.m34 - l41 * m.m13 - l42 * e32;
-  precise float l43 = e43 * d3;
-  precise float d4 = 1.0f / (m.m44 - l41 * m.m14 - l42 * e42 - l43 * e43);
-  f.m11 = d1;
-  f.m12 = l21;
-  f.m13 = l31;
-  f.m14 = l41;
-  f.m22 = d2;
-  f.m23 = l32;
-  f.m24 = l42;
-  f.m33 = d3;
-  f.m34 = l43;
-  f.m44 = d4;
-  return f;
-}
-
-// The solution x of LDLᵀ x = right.
-ChainVectors solved(ChainMatrix f, ChainVectors right) {
-  precise vec3 y1 = right.v1;
-  precise vec3 y2 = right.v2 - y1 * f.m12;
-  precise vec3 y3 = right.v3 - y1 * f.m13 - y2 * f.m23;
-  precise vec3 y4 = right.v4 - y1 * f.m14 - y2 * f.m24 - y3 * f.m34;
-  precise vec3 x4 = y4 * f.m44;
-  precise vec3 x3 = y3 * f.m33 - x4 * f.m34;
-  precise vec3 x2 = y2 * f.m22 - x3 * f.m23 - x4 * f.m24;
-  precise vec3 x1 = y1 * f.m11 - x2 * f.m12 - x3 * f.m13 - x4 * f.m14;
-  ChainVectors result;
-  result.v1 = x1;
-  result.v2 = x2;
-  result.v3 = x3;
-  result.v4 = x4;
-  return result;
 }
 
 // A + γh (2ζν C + D) + γ²h² (ν² B + g/l · stiffening), decomposed; `gh` = γh. D_jk = g Σ_i pressure_i b_ij

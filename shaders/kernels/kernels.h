@@ -53,6 +53,8 @@ struct Kernels {
 #include "shaders/kernels/pressed.glsl"
 #include "shaders/kernels/hermite.glsl"
 #include "shaders/kernels/chain.glsl"
+#include "shaders/kernels/rotation_vector.glsl"
+#include "shaders/kernels/chain_matrix.glsl"
 #include "shaders/kernels/chain_motion.glsl"
 #include "shaders/kernels/chain_virtual.glsl"
 #include "shaders/kernels/blade_surface.glsl"

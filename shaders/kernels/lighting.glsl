@@ -30,23 +30,23 @@ float shade_of(float density_per_m2, float shade_density_per_m2) {
 
 // `n_dot_l`: of the blade's normal on the viewer's side; `ground_n_dot_v`: N_L·V. `l6` is l⁶, or its mean
 // around l.
-vec3 blade_radiance_around(FrameParams frame, vec3 albedo, vec3 transmission, float specular, float l,
+vec3 blade_radiance_around(LightParams light, vec3 albedo, vec3 transmission, float specular, float l,
                            float l6, float shade, float n_dot_l, float ground_n_dot_v) {
-  vec3 ambient = mixed(frame.root_ambient, frame.top_ambient, lerp(1.0f, l, shade));
+  vec3 ambient = mixed(light.root_ambient, light.top_ambient, lerp(1.0f, l, shade));
   float sun = sun_share(l6, shade);
   float front = max(n_dot_l, 0.0f) * sun;
   float back = max(-n_dot_l, 0.0f) * sun;
   float contour = specular * l6 * power10(1.0f - saturate(ground_n_dot_v));
-  return vec3(albedo.x * (ambient.x + frame.sun_radiance.x * (front + transmission.x * back)) +
-                  contour * frame.horizon_radiance.x,
-              albedo.y * (ambient.y + frame.sun_radiance.y * (front + transmission.y * back)) +
-                  contour * frame.horizon_radiance.y,
-              albedo.z * (ambient.z + frame.sun_radiance.z * (front + transmission.z * back)) +
-                  contour * frame.horizon_radiance.z);
+  return vec3(albedo.x * (ambient.x + light.sun_radiance.x * (front + transmission.x * back)) +
+                  contour * light.horizon_radiance.x,
+              albedo.y * (ambient.y + light.sun_radiance.y * (front + transmission.y * back)) +
+                  contour * light.horizon_radiance.y,
+              albedo.z * (ambient.z + light.sun_radiance.z * (front + transmission.z * back)) +
+                  contour * light.horizon_radiance.z);
 }
 
-vec3 blade_radiance(FrameParams frame, vec3 albedo, vec3 transmission, float specular, float l, float shade,
+vec3 blade_radiance(LightParams light, vec3 albedo, vec3 transmission, float specular, float l, float shade,
                     float n_dot_l, float ground_n_dot_v) {
-  return blade_radiance_around(frame, albedo, transmission, specular, l, power6(l), shade, n_dot_l,
+  return blade_radiance_around(light, albedo, transmission, specular, l, power6(l), shade, n_dot_l,
                                ground_n_dot_v);
 }

@@ -5,10 +5,10 @@ vec3 sky_radiance(vec3 direction) {
   float up = max(direction.z, 0.0f);
   float level = 1.0f - up, level2 = level * level;
   float low = level2 * level2 * level;
-  vec3 sky = mix(frame.zenith_radiance, frame.horizon_radiance, low);
-  float towards_sun = max(dot(direction, frame.sun_direction), 0.0f);
-  float halo = pow(towards_sun, frame.sun_halo);
-  return sky + frame.sun_radiance * (0.10f * halo * (0.4f + 0.6f * low));
+  vec3 sky = mix(light.zenith_radiance, light.horizon_radiance, low);
+  float towards_sun = max(dot(direction, light.sun_direction), 0.0f);
+  float halo = pow(towards_sun, light.sun_halo);
+  return sky + light.sun_radiance * (0.10f * halo * (0.4f + 0.6f * low));
 }
 
 struct Haze {
@@ -21,7 +21,7 @@ Haze haze_at(vec3 from_eye_m) {
   vec3 direction = from_eye_m / max(distance_m, 1.0e-4f);
   Haze haze;
   haze.color = sky_radiance(vec3(direction.xy, max(direction.z, 0.0f) * 0.3f));
-  haze.share = frame.parallel > 0.5f ? 0.0f : 1.0f - exp(-frame.haze_per_m * distance_m);
+  haze.share = view.parallel > 0.5f ? 0.0f : 1.0f - exp(-light.haze_per_m * distance_m);
   return haze;
 }
 

@@ -19,6 +19,8 @@
 #include "shaders/kernels/hermite.glsl"
 #include "shaders/kernels/chain.glsl"
 #ifdef SWAYING_BLADES
+#include "shaders/kernels/rotation_vector.glsl"
+#include "shaders/kernels/chain_matrix.glsl"
 #include "shaders/kernels/chain_motion.glsl"
 #include "shaders/kernels/chain_virtual.glsl"
 #endif

@@ -1,9 +1,12 @@
 // All shared layouts, in the order in which GLSL needs them.
+#include "shaders/shared/bindings.glsl"
 #include "shaders/shared/blade.glsl"
 #include "shaders/shared/planted_cell.glsl"
 #include "shaders/shared/drawn_cell.glsl"
 #include "shaders/shared/lod.glsl"
-#include "shaders/shared/frame.glsl"
+#include "shaders/shared/view.glsl"
+#include "shaders/shared/light.glsl"
+#include "shaders/shared/field.glsl"
 #include "shaders/shared/grown_vertex.glsl"
 #include "shaders/shared/strip_tile.glsl"
 #include "shaders/shared/strip_vertex.glsl"

@@ -1,7 +1,7 @@
 // The fields around the eye that move all tiers (docs/design.md, D4): swaying (animation/sway.h), treads
 // (animation/tread_window.h), and what has come over the grass (animation/condition_window.h).
-layout(binding = 8) uniform sampler2DArray sway_texels;
-layout(binding = 9) uniform sampler2DArray tread_texels;
+layout(binding = kSwayUnit) uniform sampler2DArray sway_texels;
+layout(binding = kTreadUnit) uniform sampler2DArray tread_texels;
 
 // Where the windows hold a place: the finest one that it lies in, and the share of its period.
 struct FieldPlace {
@@ -12,7 +12,7 @@ struct FieldPlace {
 const float kFadedShare = 0.9375;  // of a window's half width: fade_end_m in animation/eye_windows.h
 
 FieldPlace field_place(vec2 from_eye_m, int levels) {
-  vec2 away_m = from_eye_m - frame.field_centre_from_eye_m;
+  vec2 away_m = from_eye_m - view.window_from_eye_m;
   float half_m = 0.5 * float(kSwaySide) * kSwayFinestM;
   float distance = max(abs(away_m.x), abs(away_m.y)) / (kFadedShare * half_m);
   FieldPlace found;
@@ -21,7 +21,7 @@ FieldPlace field_place(vec2 from_eye_m, int levels) {
       found.level == 0 ? 1.0 : (found.level == 1 ? kSwayCoarsening : kSwayCoarsening * kSwayCoarsening);
   // Beyond the last window a texel farther, so that no blend reaches back into it.
   float most_m = (kFadedShare * half_m + kSwayFinestM) * coarser;
-  found.place = (frame.field_centre_m + clamp(away_m, -most_m, most_m)) / (2.0 * half_m * coarser);
+  found.place = (field.window_m + clamp(away_m, -most_m, most_m)) / (2.0 * half_m * coarser);
   return found;
 }
 
@@ -67,10 +67,16 @@ Pressing pressing_at(vec2 from_eye_m) {
   pressing.wear = texel.w;
   return pressing;
 }
+
+// How far tips of pressed blades lie aside, as a share of their length: a straight line for the sine of the
+// tilt, up to the most there can be.
+vec2 lean_of(Pressing pressing) {
+  return 0.8f * pressing.lean_rad;
+}
 #endif
 
 #ifdef CONDITIONED
-layout(binding = 13) uniform sampler2DArray condition_texels;
+layout(binding = kConditionUnit) uniform sampler2DArray condition_texels;
 
 // Factors on the colour of grass there (rgb) and on its stiffness.
 vec4 condition_at(vec2 from_eye_m) {
@@ -83,7 +89,7 @@ vec4 condition_at(vec2 from_eye_m) {
 vec2 lean_at(vec2 from_eye_m) {
   vec2 lean = mean_tip_at(from_eye_m).xy;
 #ifdef TRODDEN
-  lean += 0.8 * pressing_at(from_eye_m).lean_rad;
+  lean += lean_of(pressing_at(from_eye_m));
 #endif
   return lean;
 }

@@ -6,11 +6,11 @@
 // a storage buffer. For the same reason results are stored by whole texels.
 layout(local_size_x = kPlantingGroup) in;
 
-layout(binding = 0) uniform usamplerBuffer cell_texels;   // DrawnCell
-layout(binding = 1) uniform samplerBuffer table_texels;   // the cells' tables
-layout(binding = 3) uniform usamplerBuffer group_texels;  // first cell of each workgroup
+layout(binding = kCellUnit) uniform usamplerBuffer cell_texels;          // DrawnCell
+layout(binding = kCellTableUnit) uniform samplerBuffer table_texels;     // the cells' tables
+layout(binding = kCellOfGroupUnit) uniform usamplerBuffer group_texels;  // first cell of each workgroup
 
-layout(location = 0) uniform uint blade_count;
+layout(location = kPlantBladeCount) uniform uint blade_count;
 
 vec4 table_texel(uint texel) {
   return texelFetch(table_texels, int(texel));

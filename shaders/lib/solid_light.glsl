@@ -3,5 +3,5 @@
 
 vec2 open_to_light(SolidParams solid, vec3 from_eye_m) {
   return open_above(from_eye_m.z - solid.ground_from_eye_m,
-                    max(0.9 * frame.strip_height_m, 0.35 * solid.half_size_m.z));
+                    max(0.9 * field.strip_height_m, 0.35 * solid.half_size_m.z));
 }

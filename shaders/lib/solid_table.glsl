@@ -1,7 +1,7 @@
 // The solids of a frame (render/things/solid_pass.h).
 #include "shaders/shared/solid.glsl"
 
-layout(std430, binding = 5) readonly buffer SolidTable {
+layout(std430, binding = kThingBuffer) readonly buffer SolidTable {
   SolidParams solids[];
 };
 

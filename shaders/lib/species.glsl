@@ -1,5 +1,5 @@
 // The species of the field.
-layout(binding = 2) uniform samplerBuffer species_texels;  // SpeciesParams
+layout(binding = kSpeciesUnit) uniform samplerBuffer species_texels;  // SpeciesParams
 
 SpeciesParams load_species(uint index) {
   int first = int(index) * kSpeciesTexels;

@@ -1,8 +1,8 @@
 // The painted look of stones (shaders/pass/stone_map.frag), turned about by their seed so that no two lie
 // alike.
 #include "shaders/lib/octahedral.glsl"
-layout(binding = 1) uniform sampler2D stone_albedo_map;
-layout(binding = 2) uniform sampler2D stone_surface_map;
+layout(binding = kStoneAlbedoUnit) uniform sampler2D stone_albedo_map;
+layout(binding = kStoneSurfaceUnit) uniform sampler2D stone_surface_map;
 
 vec3 turned_by_seed(vec3 v, uint seed) {
   uint turn = seed % 12u;

@@ -15,8 +15,8 @@ vec2 open_above(float above_m, float in_sward_m) {
 
 // `rise`, `sunward`: cosines of the surface's normal to straight up and to the sun.
 vec3 solid_light(float rise, float sunward, vec2 sky_and_sun) {
-  vec3 ambient = mix(frame.root_ambient, frame.top_ambient, 0.5 + 0.5 * rise);
+  vec3 ambient = mix(light.root_ambient, light.top_ambient, 0.5 + 0.5 * rise);
   ambient +=
-      kBounce * (0.5 - 0.5 * rise) * frame.mean_albedo * frame.sun_radiance * max(frame.sun_direction.z, 0.0);
-  return sky_and_sun.x * ambient + sky_and_sun.y * max(sunward, 0.0) * frame.sun_radiance;
+      kBounce * (0.5 - 0.5 * rise) * field.mean_albedo * light.sun_radiance * max(light.sun_direction.z, 0.0);
+  return sky_and_sun.x * ambient + sky_and_sun.y * max(sunward, 0.0) * light.sun_radiance;
 }

@@ -6,5 +6,5 @@ const vec3 kFlatTint = vec3(0.3, 0.5, 1.0);
 
 vec3 tinted_tier(vec3 radiance, vec3 tint) {
   float luminance = dot(radiance, vec3(0.2126, 0.7152, 0.0722));
-  return mix(radiance, 1.4 * luminance * tint, 0.75 * frame.tint);
+  return mix(radiance, 1.4 * luminance * tint, 0.75 * view.tint);
 }

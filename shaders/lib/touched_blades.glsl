@@ -1,10 +1,10 @@
 // Blades that objects have touched (animation/touched_blades.h) and which move by themselves: their chains
 // come from there.
-layout(binding = 10) uniform usamplerBuffer
+layout(binding = kTouchedCellUnit) uniform usamplerBuffer
     touched_cells;  // by cell of the run: 0, or 1 + where its slots begin
-layout(binding = 11) uniform usamplerBuffer
+layout(binding = kTouchedSlotUnit) uniform usamplerBuffer
     touched_slots;  // by blade of the cell: 0, or 1 + place of its chain
-layout(binding = 12) uniform samplerBuffer touched_chains;  // BladeChain, nine texels each
+layout(binding = kTouchedChainUnit) uniform samplerBuffer touched_chains;  // BladeChain, nine texels each
 
 uint touched_slot(uint cell, uint k) {
   uint slots = texelFetch(touched_cells, int(cell)).x;

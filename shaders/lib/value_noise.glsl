@@ -1,6 +1,6 @@
 // Smooth noise in [0, 1] with one random value per unit square; for surfaces without a map of their own. Read
 // from a texture: hashing four corners costs a software renderer several times as much.
-layout(binding = 7) uniform sampler2D noise_texture;
+layout(binding = kNoiseUnit) uniform sampler2D noise_texture;
 
 // The same, averaged over the pixel's footprint, so that it fades into its mean with distance instead of
 // shimmering.

@@ -1,6 +1,6 @@
 // The walkers of a frame (render/things/walker_pass.h).
 #include "shaders/shared/walker.glsl"
 
-layout(std430, binding = 5) readonly buffer WalkerTable {
+layout(std430, binding = kThingBuffer) readonly buffer WalkerTable {
   WalkerParams walkers[];
 };

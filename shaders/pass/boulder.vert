@@ -4,13 +4,13 @@
 // to find for every pixel is found here: light in the axes of the stones' maps, haze, and what of the sky the
 // sward leaves.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/haze.glsl"
 #include "shaders/lib/solid_table.glsl"
 #include "shaders/lib/solid_light.glsl"
 #include "shaders/lib/stone_look.glsl"
 
-layout(location = 0) uniform uint first_solid;
+layout(location = kFirstThing) uniform uint first_solid;
 
 layout(location = 0) in vec3 place;
 
@@ -24,7 +24,7 @@ void main() {
   SolidParams solid = solids[first_solid + uint(gl_InstanceID)];
   mat3 body_from_scene = transpose(scene_from_body(solid));
   on_map = turned_by_seed(place, solid.seed);
-  sun_on_map = turned_by_seed(body_from_scene * frame.sun_direction, solid.seed);
+  sun_on_map = turned_by_seed(body_from_scene * light.sun_direction, solid.seed);
   up_on_map = turned_by_seed(body_from_scene * vec3(0.0, 0.0, 1.0), solid.seed);
   float depth = solid.outline_roughness > 0.0 ? solid.outline_roughness * stone_dent_at(on_map) : 0.0;
   vec3 from_eye_m =
@@ -32,6 +32,6 @@ void main() {
   sky_and_sun = open_to_light(solid, from_eye_m);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);
-  gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(from_eye_m, 1.0);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }

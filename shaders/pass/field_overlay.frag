@@ -3,9 +3,9 @@
 // recovery from green, nearly risen, to red, and worn ground blue. Unlit: a colour means the same in any
 // light.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 
-layout(location = 0) uniform float shown;
+layout(location = kOverlayShown) uniform float shown;
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in float heat;
@@ -35,6 +35,6 @@ void main() {
   radiance = mix(radiance, vec3(0.02, 0.08, 0.7), worn);
   color = vec4(radiance, max(0.7 * smoothstep(0.0, 0.1, heat), 0.7 * worn) * near(30.0));
 #endif
-  color.rgb /= frame.exposure;
+  color.rgb /= light.exposure;
   color.a *= shown;
 }

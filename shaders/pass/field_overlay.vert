@@ -2,7 +2,7 @@
 // A vertex of an arrow of the wind, or of a square of heat on the ground (render/overlays/field_overlay.h).
 #include "shaders/lib/layouts.glsl"
 #include "shaders/shared/field_overlay.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 
 layout(location = 0) out vec3 from_eye_m;
 layout(location = 1) out float heat;
@@ -10,7 +10,7 @@ layout(location = 2) out float wear;
 layout(location = 3) out float outline;  // 1: the dark edge of an arrow
 
 #ifdef WIND_ARROWS
-layout(std430, binding = 5) readonly buffer Arrows {
+layout(std430, binding = kThingBuffer) readonly buffer Arrows {
   WindArrow arrows[];
 };
 
@@ -45,11 +45,11 @@ void main() {
   from_eye_m = arrow.middle_from_eye_m + vec3(over_ground_m, dot(arrow.slope, over_ground_m));
   heat = clamp(arrow.speed_m_per_s / kHottestMPerS, 0.0, 1.0);
   wear = 0.0;
-  gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(from_eye_m, 1.0);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }
 #else
-layout(std430, binding = 5) readonly buffer Squares {
+layout(std430, binding = kThingBuffer) readonly buffer Squares {
   HeatSquare squares[];
 };
 
@@ -62,7 +62,7 @@ void main() {
   heat = square.heat[corner];
   wear = square.wear;
   outline = 0.0;
-  gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(from_eye_m, 1.0);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }
 #endif

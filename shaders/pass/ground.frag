@@ -3,7 +3,7 @@
 // (lod/sward/sward_response.h) as far as the tiers above do not show it: what blades and strips leave
 // uncovered of the cover that all blades would have. Alpha holds that cover.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 
 vec4 table_texel(uint texel) {
   return vec4(0.0f);
@@ -17,7 +17,7 @@ vec4 table_texel(uint texel) {
 #include "shaders/lib/flat_map.glsl"
 #include "shaders/shared/tile_morphs.glsl"
 
-layout(binding = 1) uniform sampler2D tile_morphs;
+layout(binding = kTileMorphUnit) uniform sampler2D tile_morphs;
 
 layout(location = 0) in vec3 from_eye_m;
 layout(location = 1) in vec3 ground_normal;
@@ -47,7 +47,7 @@ const float kSureOfStrips = 0.65;
 // How far the tile at this pixel has morphed, as planned: its blades and strips stand by its middle.
 // `unplanned`: where the plan does not tell.
 float tile_morph(float unplanned) {
-  ivec2 tile = ivec2(floor((from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m)) + kTileMorphSide / 2;
+  ivec2 tile = ivec2(floor((from_eye_m.xy + view.eye_in_tile_m) / field.tile_m)) + kTileMorphSide / 2;
   if (any(lessThan(tile, ivec2(0))) || any(greaterThanEqual(tile, ivec2(kTileMorphSide)))) return unplanned;
   float steps = 255.0 * texelFetch(tile_morphs, tile, 0).r;
   return steps <= kTileMorphSteps + 0.5 ? steps / kTileMorphSteps : unplanned;
@@ -71,8 +71,8 @@ vec4 standing_above(vec4 above) {
 // around it, and where it leaves the tile a row. Blades that have slid hide one another: their share falls as
 // (1 − s)².
 float cover_left(float optical_depth, vec4 standing, vec2 level_to_eye) {
-  vec2 reach = level_to_eye * standing.z / frame.tile_m;
-  vec2 from = (from_eye_m.xy + frame.eye_in_tile_m) / frame.tile_m;
+  vec2 reach = level_to_eye * standing.z / field.tile_m;
+  vec2 from = (from_eye_m.xy + view.eye_in_tile_m) / field.tile_m;
   vec2 tile = floor(from);
   vec2 far_off = max(abs(from - tile - 0.5), abs(from + reach - tile - 0.5));  // from the tile's middle
   bool is_clear = max(far_off.x, far_off.y) < 0.5 * standing.w;
@@ -100,17 +100,17 @@ void main() {
   vec3 normal = normalize(ground_normal);
   float leaf_area = leaf_area_of(grass.a);
   float optical_depth = leaf_area * depth_per_leaf_area;
-  vec3 sward = sward_radiance * grass.rgb / frame.mean_albedo;
+  vec3 sward = sward_radiance * grass.rgb / field.mean_albedo;
   sward *= (0.8 + 0.4 * patchy) * (0.7 + 0.6 * grain);
 
   // Between blades: soil, and dead leaves in the sward's shade.
-  float n_dot_l = dot(normal, frame.sun_direction);
-  vec3 soil_albedo = frame.soil_color * (0.6 + 0.8 * grain);
-  vec3 soil = soil_albedo * (frame.top_ambient + frame.sun_radiance * max(n_dot_l, 0.0));
+  float n_dot_l = dot(normal, light.sun_direction);
+  vec3 soil_albedo = field.soil_color * (0.6 + 0.8 * grain);
+  vec3 soil = soil_albedo * (light.top_ambient + light.sun_radiance * max(n_dot_l, 0.0));
   vec3 floor_of_sward =
       mix(soil, litter_radiance(grass.rgb) * (0.55 + 0.9 * grain), smooth_ramp(1.6 * grass.a));
 
-  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_eye_m;
+  vec3 to_eye = view.parallel > 0.5 ? view.towards_eye : -from_eye_m;
   float cover = cover_left(optical_depth, standing_above(above),
                            to_eye.xy * inversesqrt(max(dot(to_eye.xy, to_eye.xy), 1.0e-12)));
   Haze haze;

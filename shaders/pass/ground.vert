@@ -3,7 +3,8 @@
 // and y, so that two patches compute the vertices of their common edge alike, bit for bit. What changes
 // slowly over the ground (the sward's look from here, haze) is found here rather than for every pixel.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
+#include "shaders/shared/ground_patch.glsl"
 vec4 table_texel(uint texel) {
   return vec4(0.0f);
 }
@@ -16,15 +17,10 @@ vec4 table_texel(uint texel) {
 #include "shaders/lib/moving_fields.glsl"
 #endif
 
-struct PatchParams {
-  vec2 anchor_from_corner_m;
-  float quad_m;
-  float unused;
+layout(std430, binding = kThingBuffer) readonly buffer PatchTable {
+  GroundPatchParams patches[];
 };
-layout(std430, binding = 5) readonly buffer PatchTable {
-  PatchParams patches[];
-};
-layout(location = 0) uniform uint vertices_per_side;
+layout(location = kGroundVerticesPerSide) uniform uint vertices_per_side;
 
 layout(location = 0) in float height_m;
 layout(location = 1) in vec3 normal;
@@ -42,48 +38,48 @@ layout(location = 6) out vec3 color_factor;  // of the sward
 // What stands on the ground in the tiers above, but for the tile's morph: see standing_above in
 // shaders/pass/ground.frag.
 vec4 tiers_above(vec3 from_eye_m, vec3 ground_normal, float sin_elevation, float density_per_m2) {
-  vec3 from_lod_eye_m = from_eye_m - frame.lod_eye_m;
+  vec3 from_lod_eye_m = from_eye_m - view.lod_eye_m;
   float distance_m = length(from_lod_eye_m);
-  vec3 to_lod_eye = frame.parallel > 0.5 ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-4);
-  float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * distance_m;
+  vec3 to_lod_eye = view.parallel > 0.5 ? view.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-4);
+  float pixel_m = view.parallel > 0.5 ? view.pixel_m : view.pixel_m * distance_m;
   float n_dot_r = dot(ground_normal, to_lod_eye);
-  float keep = keep_share(frame.lod, n_dot_r, pixel_m, distance_m, frame.blade_width_m) *
-               crowded_share(frame.lod, density_per_m2);
-  float area = min(
-      area_left(frame.lod, keep) * max(frame.lod.widest_pixels * pixel_m / frame.blade_width_m, 1.0), 1.0);
+  float keep = keep_share(view.lod, n_dot_r, pixel_m, distance_m, field.blade_width_m) *
+               crowded_share(view.lod, density_per_m2);
+  float area =
+      min(area_left(view.lod, keep) * max(view.lod.widest_pixels * pixel_m / field.blade_width_m, 1.0), 1.0);
   float level = sqrt(max(1.0 - sin_elevation * sin_elevation, 1.0e-6));
-  return vec4(area, 1.0 - sunk_share(frame.lod, distance_m), frame.strip_height_m * level / sin_elevation,
-              strip_morph(frame.lod, strip_band(frame.lod, distance_m), n_dot_r));
+  return vec4(area, 1.0 - sunk_share(view.lod, distance_m), field.strip_height_m * level / sin_elevation,
+              strip_morph(view.lod, strip_band(view.lod, distance_m), n_dot_r));
 }
 
 void main() {
   uint per_patch = vertices_per_side * vertices_per_side;
   uint slot = uint(gl_VertexID) / per_patch;
   uint vertex = uint(gl_VertexID) - slot * per_patch;
-  PatchParams patch_params = patches[slot];
+  GroundPatchParams patch_params = patches[slot];
   vec2 node = vec2(float(vertex % vertices_per_side), float(vertex / vertices_per_side));
-  vec3 anchored_m = vec3(patch_params.anchor_from_corner_m + node * patch_params.quad_m, height_m);
-  from_eye_m = anchored_m + frame.ground_from_eye_m;
+  vec3 anchored_m = vec3(patch_params.corner_from_anchor_m + node * patch_params.quad_m, height_m);
+  from_eye_m = anchored_m + view.ground_from_eye_m;
   ground_normal = normal;
 
-  vec3 to_eye = frame.parallel > 0.5 ? frame.towards_eye : normalize(-from_eye_m);
-  SwardView view = sward_view(normalize(normal), to_eye);
-  depth_per_leaf_area = sward_optical_depth(view, 1.0);
+  vec3 to_eye = view.parallel > 0.5 ? view.towards_eye : normalize(-from_eye_m);
+  SwardSight sight = sward_sight(normalize(normal), to_eye);
+  depth_per_leaf_area = sward_optical_depth(sight, 1.0);
   float leaf_area = leaf_area_of(
       textureLod(flat_map, flat_map_place(from_eye_m), log2(patch_params.quad_m / flat_texel_m())).a);
-  float shade = shade_of(leaf_area * frame.density_per_leaf_area, frame.shade_density_per_m2);
-  sward_radiance = sward_color(kMix, view, leaf_area * depth_per_leaf_area, shade);
+  float shade = shade_of(leaf_area * field.density_per_leaf_area, light.shade_density_per_m2);
+  sward_radiance = sward_color(kMix, sight, leaf_area * depth_per_leaf_area, shade);
 #ifdef MOVING
   sward_radiance *= leaning_light(normalize(normal), lean_at(from_eye_m.xy));
 #endif
 #ifdef CONDITIONED
   color_factor = condition_at(from_eye_m.xy).rgb;
 #endif
-  above =
-      tiers_above(from_eye_m, normalize(normal), view.sin_elevation, leaf_area * frame.density_per_leaf_area);
+  above = tiers_above(from_eye_m, normalize(normal), sight.sin_elevation,
+                      leaf_area * field.density_per_leaf_area);
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);
 
-  gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(from_eye_m, 1.0);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }

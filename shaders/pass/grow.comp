@@ -11,7 +11,7 @@
 #define SWAYING_BLADES
 #endif
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/planting.glsl"
 #include "shaders/lib/haze.glsl"
 #include "shaders/lib/sward_look.glsl"
@@ -23,11 +23,11 @@
 #include "shaders/lib/touched_blades.glsl"
 #endif
 
-layout(std430, binding = 4) writeonly buffer GrownVertices {
+layout(std430, binding = kResultBuffer) writeonly buffer GrownVertices {
   uvec4 vertices[];
 };  // GrownVertex
-layout(location = 1) uniform uint segments;
-layout(location = 2) uniform uint first_vertex;
+layout(location = kGrowSegments) uniform uint segments;
+layout(location = kGrowFirstVertex) uniform uint first_vertex;
 
 #ifdef SPLINE_BLADES
 vec3 tier_tinted(vec3 radiance) {
@@ -94,70 +94,82 @@ Rib rib_at(GrownBlade blade, float t, float reach, float profile, float place, f
   BladeSurface surface = blade_surface(along_m, blade.midrib.side, blade.to_eye);
   vec3 half_width_m = surface.side * (0.5f * blade.width_m * profile);
   vec3 albedo = mixed(blade.root_color, blade.tip_color, place);
-  vec3 left = blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
-                                    inner(surface.left, frame.sun_direction), blade.ground_n_dot_v);
+  vec3 left = blade_radiance_around(light, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
+                                    inner(surface.left, light.sun_direction), blade.ground_n_dot_v);
   vec3 right =
-      blade_radiance_around(frame, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
-                            inner(surface.right, frame.sun_direction), blade.ground_n_dot_v);
+      blade_radiance_around(light, albedo, blade.transmission, blade.specular, place, l6, blade.shade,
+                            inner(surface.right, light.sun_direction), blade.ground_n_dot_v);
   return Rib(centre_m - half_width_m, centre_m + half_width_m,
              tier_tinted(mixed(blade.mean_radiance, left, blade.own_share)),
              tier_tinted(mixed(blade.mean_radiance, right, blade.own_share)));
 }
 
-void main() {
-  uint index = gl_GlobalInvocationID.x;
-  if (index >= blade_count) return;
-  uint cell_index = cell_of(index);
-  DrawnCell drawn = load_cell(cell_index);
-  PlantedCell cell = drawn.planted;
-  uint k = quarter_index(drawn.quarter, index - drawn.first_blade + drawn.first_index);
+// How many of its cell's blades stand where this one does, and how far it has grown in.
+struct Thinning {
+  float distance_m, pixel_m;  // from the eye that tiers are chosen for; height of a pixel there
+  float kept, crowded;        // shares that stay, by size on the screen and by density
+  float growth;
+};
 
-  SpeciesParams species = load_species(cell.species);
-  WarpedRoot root = plant_root(cell, k);
-  vec2 local_m = root_in_cell(cell, root);
-  GroundPoint ground = ground_in_cell(cell.ground_table, cell.side_m, local_m);
-  Features features = planting_features(cell, local_m);
+Thinning thinning_at(DrawnCell drawn, SpeciesParams species, uint k, vec3 root_m, vec3 normal) {
+  Thinning thinning;
+  vec3 from_lod_eye_m = root_m - view.lod_eye_m;
+  thinning.distance_m = sqrt(inner(from_lod_eye_m, from_lod_eye_m));
+  vec3 to_lod_eye =
+      view.parallel > 0.5f ? view.towards_eye : -from_lod_eye_m / max(thinning.distance_m, 1.0e-6f);
+  thinning.pixel_m = view.parallel > 0.5f ? view.pixel_m : view.pixel_m * thinning.distance_m;
+  thinning.kept =
+      keep_share(view.lod, inner(normal, to_lod_eye), thinning.pixel_m, thinning.distance_m, species.width_m);
+  thinning.crowded = crowded_share(view.lod, mean_density_per_m2(drawn.planted));
+  float rank = (float(int(k)) + drawn.planted.rank_offset) / float(int(drawn.planted.planted));
+  thinning.growth = growth_of(view.lod, thinning.kept * thinning.crowded * blades_left(drawn.morph), rank);
+  return thinning;
+}
 
-  vec3 root_m = drawn.eye_from_tile_m + vec3(cell.offset_m + local_m, ground.height_m);
-  vec3 from_lod_eye_m = root_m - frame.lod_eye_m;
-  float distance_m = sqrt(inner(from_lod_eye_m, from_lod_eye_m));
-  vec3 to_lod_eye = frame.parallel > 0.5f ? frame.towards_eye : -from_lod_eye_m / max(distance_m, 1.0e-6f);
-  float pixel_m = frame.parallel > 0.5f ? frame.pixel_m : frame.pixel_m * distance_m;
-  vec3 normal = normalized(vec3(-ground.slope, 1.0f));
-  float kept = keep_share(frame.lod, inner(normal, to_lod_eye), pixel_m, distance_m, species.width_m);
-  float crowded = crowded_share(frame.lod, mean_density_per_m2(cell));
-  float keep = kept * crowded;
-  float rank = (float(int(k)) + cell.rank_offset) / float(int(cell.planted));
-  float growth = growth_of(frame.lod, keep * blades_left(drawn.morph), rank);
-
-  Blade blade = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k),
-                           clump_of(cell, species, local_m), features, ground.height_m);
-  if (drawn.morph > 0.0f) {
-    vec2 slid_m = slid_root(blade.root_m, frame.tile_m, drawn.morph);
+// The blade with its foot slid towards the nearest edge of its tile, as far as the tile has morphed.
+Blade slid(Blade blade, GroundPoint ground, float morph) {
+  if (morph > 0.0f) {
+    vec2 slid_m = slid_root(blade.root_m, field.tile_m, morph);
     blade.ground_m += inner(vec3(ground.slope, 0.0f), vec3(slid_m - blade.root_m, 0.0f));
     blade.root_m = slid_m;
   }
+  return blade;
+}
+
+// A blade as wind, treads and what came over the grass leave it.
+struct Stance {
+  Blade blade;
+  BladeChain chain;
+  vec2 lean;          // of the sward around, as a share of its length
+  vec3 color_factor;  // of its features and of conditions
+};
+
+Stance stance_of(Blade blade, GroundPoint ground, vec3 normal, DrawnCell drawn, vec3 color_factor,
+                 float growth) {
+  Stance stance;
+  stance.lean = vec2(0.0f);
+  stance.color_factor = color_factor;
 #if defined(MOVING) || defined(CONDITIONED)
   vec2 field_from_eye_m = drawn.eye_from_tile_m.xy + blade.root_m;
 #endif
 #ifdef CONDITIONED
   vec4 condition = condition_at(field_from_eye_m);
-  features.color *= condition.rgb;
+  stance.color_factor *= condition.rgb;
 #endif
 #ifdef MOVING
-  Swaying swaying = swaying_at(field_from_eye_m, cell.species);
+  Swaying swaying = swaying_at(field_from_eye_m, drawn.planted.species);
   vec3 swayed = swayed_tip(swaying);
-  vec2 lean = swayed.xy;
+  stance.lean = swayed.xy;
   ChainVectors load = texel_load(swaying.texel1, swaying.texel2, swaying.texel3, swaying.texel4);
 #ifdef TRODDEN
   Pressing pressing = pressing_at(field_from_eye_m);
-  lean += 0.8f * pressing.lean_rad;
+  stance.lean += lean_of(pressing);
   blade.height_m *= worn_length(pressing.wear);
   blade.dryness = lerp(blade.dryness, 1.0f, 0.5f * pressing.wear);
 #endif
   BladeCurve rest = pose_blade(blade, ground.slope, growth);
   // Before stiffness changes: another frequency of its own would throw a blade out of its phase.
-  load = with_own_sway(blade, rest, load, swayed, frame.sway_time);
+  load = with_own_sway(blade, rest, load, swayed, field.sway_time);
 #else
   BladeCurve rest = pose_blade(blade, ground.slope, growth);
 #endif
@@ -165,61 +177,42 @@ void main() {
   blade.stiffness *= condition.a;
 #endif
 #if defined(TRODDEN)
-  BladeChain chain = pressed_virtual_pose(blade, rest, growth, load, normal, pressing);
+  stance.chain = pressed_virtual_pose(blade, rest, growth, load, normal, pressing);
 #elif defined(MOVING)
-  BladeChain chain = virtual_pose(blade, rest, growth, load);
+  stance.chain = virtual_pose(blade, rest, growth, load);
 #else
-  BladeChain chain = chain_of(blade, rest, growth);
+  stance.chain = chain_of(blade, rest, growth);
 #endif
-#ifdef TOUCHED
-  uint slot = touched_slot(cell_index, k);
-  if (slot != 0u) chain = touched_chain(slot, growth);
-#endif
-#ifdef SPLINE_BLADES
-  Midrib midrib = blended_chain(chain, hermite_share(frame.lod, distance_m));
-#else
-  Midrib midrib = curve_of(chain);
-#endif
-  // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by,
-  // their mean does by its √n-th part. Of those that are left out where it is crowded about a half would have
-  // been hidden.
-  float own_share = sqrt(area_left(frame.lod, kept * sqrt(crowded)));
+  stance.blade = blade;
+  return stance;
+}
 
-  vec3 to_eye = frame.parallel > 0.5f ? frame.towards_eye : normalized(-root_m);
-  float h = 1.0f / float(int(segments));
-  float coarser = coarser_share(frame.lod, int(segments), species.height_m / pixel_m);
+// The mean colour of the sward there, which blades fade to.
+vec3 mean_radiance_at(vec3 root_m, vec3 normal, float height_m, uint species, float density_per_m2,
+                      float blade_height, float shade) {
+  vec3 seen_m = root_m + vec3(0.0f, 0.0f, 0.6f * height_m);
+  vec3 to_eye = view.parallel > 0.5f ? view.towards_eye : normalized(-seen_m);
+  SwardSight sight = sward_sight(normal, to_eye);
+  float optical_depth =
+      sward_optical_depth(sight, density_per_m2 / field.density_per_leaf_area * blade_height);
+  return sward_color(1 + int(species), sight, optical_depth, shade);
+}
+
+// Its width, so that the cover of all that it stands for stays.
+float width_of(Midrib midrib, vec3 to_eye, Thinning thinning, float own_m, float mean_m, float own_share,
+               float coarser) {
   SeenAreas seen =
       seen_areas(midrib_point(midrib, 0.0f), midrib_point(midrib, 0.25f), midrib_point(midrib, 0.5f),
                  midrib_point(midrib, 0.75f), midrib_point(midrib, 1.0f), to_eye);
   float wider = wider_for_chords(seen, int(segments), coarser);
-  float width_m = growth > 0.0f ? widened_m(frame.lod, keep,
-                                            wider * lerp(species.width_m, blade.width_m, own_share), pixel_m)
+  return thinning.growth > 0.0f ? widened_m(view.lod, thinning.kept * thinning.crowded,
+                                            wider * lerp(mean_m, own_m, own_share), thinning.pixel_m)
                                 : 0.0f;
+}
 
-  float density_per_m2 = root.density + cell.other_density_per_m2;
-  float shade = shade_of(density_per_m2, frame.shade_density_per_m2);
-  vec3 root_color = root_albedo(species, blade.hue, blade.dryness) * features.color;
-  vec3 tip_color = tip_albedo(species, blade.hue, blade.dryness) * features.color;
-  float ground_n_dot_v = inner(normal, to_eye);
-
-  vec3 seen_m = root_m + vec3(0.0f, 0.0f, 0.6f * blade.height_m);
-  vec3 to_eye_from_seen = frame.parallel > 0.5f ? frame.towards_eye : normalized(-seen_m);
-  SwardView view = sward_view(normal, to_eye_from_seen);
-  float optical_depth =
-      sward_optical_depth(view, density_per_m2 / frame.density_per_leaf_area * features.blade_height);
-  vec3 mean_radiance = sward_color(1 + int(cell.species), view, optical_depth, shade) * features.color;
-#ifdef MOVING
-  mean_radiance *= leaning_light(normal, lean);
-#endif
-
-  GrownBlade grown =
-      GrownBlade(midrib, drawn.eye_from_tile_m, to_eye, width_m, root_color, tip_color, species.transmission,
-                 species.specular, shade, ground_n_dot_v, mean_radiance, own_share);
-
-  // Every other rib is also one of the coarser mesh; those between them move to the middle of their
-  // neighbours.
-  Haze haze = haze_at(root_m);
-  uint first = first_vertex + index * (2u * segments + 1u);
+// Every other rib is also one of the coarser mesh; those between them move to the middle of their neighbours.
+void store_ribs(uint first, GrownBlade grown, float coarser, Haze haze) {
+  float h = 1.0f / float(int(segments));
   uint step = min(segments, 2u);
   Rib last = Rib(vec3(0.0f), vec3(0.0f), vec3(0.0f), vec3(0.0f));
   for (uint n = 0u; n <= segments; n += step) {
@@ -239,4 +232,59 @@ void main() {
     }
     last = rib;
   }
+}
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= blade_count) return;
+  uint cell_index = cell_of(index);
+  DrawnCell drawn = load_cell(cell_index);
+  PlantedCell cell = drawn.planted;
+  uint k = quarter_index(drawn.quarter, index - drawn.first_blade + drawn.first_index);
+
+  SpeciesParams species = load_species(cell.species);
+  WarpedRoot root = plant_root(cell, k);
+  vec2 local_m = root_in_cell(cell, root);
+  GroundPoint ground = ground_in_cell(cell.ground_table, cell.side_m, local_m);
+  Features features = planting_features(cell, local_m);
+
+  vec3 root_m = drawn.eye_from_tile_m + vec3(cell.offset_m + local_m, ground.height_m);
+  vec3 normal = normalized(vec3(-ground.slope, 1.0f));
+  Thinning thinning = thinning_at(drawn, species, k, root_m, normal);
+  Blade planted = grow_blade(cell, species, k, local_m, traits_of(cell.key.y, k),
+                             clump_of(cell, species, local_m), features, ground.height_m);
+  Stance stance =
+      stance_of(slid(planted, ground, drawn.morph), ground, normal, drawn, features.color, thinning.growth);
+#ifdef TOUCHED
+  uint slot = touched_slot(cell_index, k);
+  if (slot != 0u) stance.chain = touched_chain(slot, thinning.growth);
+#endif
+#ifdef SPLINE_BLADES
+  Midrib midrib = blended_chain(stance.chain, hermite_share(view.lod, thinning.distance_m));
+#else
+  Midrib midrib = curve_of(stance.chain);
+#endif
+  // A blade that stands for many looks like their mean the more, the more they are: what n blades differ by,
+  // their mean does by its √n-th part. Of those that are left out where it is crowded about a half would have
+  // been hidden.
+  float own_share = sqrt(area_left(view.lod, thinning.kept * sqrt(thinning.crowded)));
+
+  vec3 to_eye = view.parallel > 0.5f ? view.towards_eye : normalized(-root_m);
+  float coarser = coarser_share(view.lod, int(segments), species.height_m / thinning.pixel_m);
+  float density_per_m2 = root.density + cell.other_density_per_m2;
+  float shade = shade_of(density_per_m2, light.shade_density_per_m2);
+  vec3 mean_radiance = mean_radiance_at(root_m, normal, stance.blade.height_m, cell.species, density_per_m2,
+                                        features.blade_height, shade) *
+                       stance.color_factor;
+#ifdef MOVING
+  mean_radiance *= leaning_light(normal, stance.lean);
+#endif
+  float width_m =
+      width_of(midrib, to_eye, thinning, stance.blade.width_m, species.width_m, own_share, coarser);
+  GrownBlade grown = GrownBlade(
+      midrib, drawn.eye_from_tile_m, to_eye, width_m,
+      root_albedo(species, stance.blade.hue, stance.blade.dryness) * stance.color_factor,
+      tip_albedo(species, stance.blade.hue, stance.blade.dryness) * stance.color_factor, species.transmission,
+      species.specular, shade, inner(normal, to_eye), mean_radiance, own_share);
+  store_ribs(first_vertex + index * (2u * segments + 1u), grown, coarser, haze_at(root_m));
 }

@@ -3,14 +3,14 @@
 // cut off, and half the width and half a pixel more, over which the edge fades, are laid to each side.
 #include "shaders/lib/layouts.glsl"
 #include "shaders/shared/line.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 
-layout(std430, binding = 5) readonly buffer Lines {
+layout(std430, binding = kThingBuffer) readonly buffer Lines {
   LineParams lines[];
 };
 
-layout(location = 1) uniform vec2 size_px;
-layout(location = 2) uniform float half_width_px;
+layout(location = kLineSize) uniform vec2 size_px;
+layout(location = kLineHalfWidth) uniform float half_width_px;
 
 layout(location = 0) flat out vec4 line_color;
 // Pixels from the line's middle times w: times 1/w it is even across the screen. `noperspective` would say so
@@ -19,8 +19,8 @@ layout(location = 1) out float across_px_w;
 
 void main() {
   LineParams line = lines[gl_VertexID / 6];
-  vec4 start = frame.clip_from_eye * vec4(line.start_from_eye_m, 1.0);
-  vec4 end = frame.clip_from_eye * vec4(line.end_from_eye_m, 1.0);
+  vec4 start = view.clip_from_eye * vec4(line.start_from_eye_m, 1.0);
+  vec4 end = view.clip_from_eye * vec4(line.end_from_eye_m, 1.0);
   // Depth is reversed: z = w on the near plane, and w − z grows behind it.
   float start_behind = start.w - start.z, end_behind = end.w - end.z;
   line_color = line.color;
@@ -40,6 +40,6 @@ void main() {
   float reach_px = half_width_px + 0.5;
   float across_px = corner / 2 == 0 ? -reach_px : reach_px;
   gl_Position = corner % 2 == 0 ? start : end;
-  gl_Position.xy += (2.0 * across_px * vec2(-along.y, along.x) / size_px + frame.jitter) * gl_Position.w;
+  gl_Position.xy += (2.0 * across_px * vec2(-along.y, along.x) / size_px + view.jitter) * gl_Position.w;
   across_px_w = across_px * gl_Position.w;
 }

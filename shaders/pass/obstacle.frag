@@ -3,12 +3,12 @@
 // (pass/obstacle_texture.frag), in the light of sun, sky and the sward around. Alpha is the cover, and no
 // grass grows on it.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/haze.glsl"
 #include "shaders/lib/sward_light.glsl"
 
-layout(binding = 1) uniform sampler2DArray obstacle_albedo;
-layout(binding = 2) uniform sampler2DArray obstacle_surface;
+layout(binding = kObstacleAlbedoUnit) uniform sampler2DArray obstacle_albedo;
+layout(binding = kObstacleSurfaceUnit) uniform sampler2DArray obstacle_surface;
 
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec3 tangent;
@@ -26,12 +26,12 @@ void main() {
   vec3 facing = normalize(bend.z * normal + bend.x * tangent + bend.y * cross(normal, tangent));
   // Relief catches no sun where the face that bears it is turned away.
   float sunward =
-      dot(facing, frame.sun_direction) * clamp(8.0 * dot(normal, frame.sun_direction) + 0.2, 0.0, 1.0);
-  vec2 sky_and_sun = open_above(on_map_above_m.z, max(0.9 * frame.strip_height_m, 0.15));
+      dot(facing, light.sun_direction) * clamp(8.0 * dot(normal, light.sun_direction) + 0.2, 0.0, 1.0);
+  vec2 sky_and_sun = open_above(on_map_above_m.z, max(0.9 * field.strip_height_m, 0.15));
   sky_and_sun *= vec2(surface.w, 0.5 + 0.5 * surface.w);
-  vec3 light = solid_light(facing.z, sunward, sky_and_sun);
+  vec3 incident = solid_light(facing.z, sunward, sky_and_sun);
   Haze haze;
   haze.color = haze_color_and_share.rgb;
   haze.share = haze_color_and_share.a;
-  color = vec4(hazed(albedo * light, haze), 0.0);
+  color = vec4(hazed(albedo * incident, haze), 0.0);
 }

@@ -2,10 +2,10 @@
 // A vertex of what stands in the meadow (render/things/shapes/obstacle_mesh.h). Haze is found here, for a
 // software renderer would be slow to find it for every pixel.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/haze.glsl"
 
-layout(location = 0) uniform vec3 origin_from_eye_m;
+layout(location = kObstacleOrigin) uniform vec3 origin_from_eye_m;
 
 layout(location = 0) in vec3 place_m;  // from the origin
 layout(location = 1) in vec3 facing;
@@ -29,6 +29,6 @@ void main() {
   layer = tint_and_layer.a;
   Haze haze = haze_at(from_eye_m);
   haze_color_and_share = vec4(haze.color, haze.share);
-  gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(from_eye_m, 1.0);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }

@@ -1,10 +1,11 @@
 #version 450 core
 // Paints a layer of the textures in which what stands in the meadow finds its look
 // (render/things/obstacle_texture.h).
+#include "shaders/shared/bindings.glsl"
 #include "shaders/lib/obstacle_surface.glsl"
 
-layout(location = 0) uniform float texels;  // along a side
-layout(location = 1) uniform
+layout(location = kObstacleTexels) uniform float texels;  // along a side
+layout(location = kObstaclePlaces) uniform
     int places;  // 7: unknown to compilers, which would make as many copies of the relief
 layout(location = 0) out vec4 albedo;   // twice itself
 layout(location = 1) out vec4 surface;  // the normal from -1 to 1, openness to the sky

@@ -3,7 +3,7 @@
 #include "shaders/lib/layouts.glsl"
 #include "shaders/lib/planting.glsl"
 
-layout(std430, binding = 4) writeonly buffer Blades {
+layout(std430, binding = kResultBuffer) writeonly buffer Blades {
   uvec4 blade_texels[];
 };  // Blade
 

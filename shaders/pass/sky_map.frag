@@ -2,7 +2,7 @@
 // The sky's upper half as a map in which a direction lies at direction.xy / (1 + direction.z): made once per
 // light, read by shaders/pass/sky.frag for every pixel of every frame.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 vec4 table_texel(uint texel) {
   return vec4(0.0f);
 }
@@ -32,7 +32,7 @@ void main() {
   vec3 sky = sky_radiance(direction);
   float clouds = cloud_cover(direction.xy / (direction.z + 0.12) * vec2(1.1, 1.7) + 3.0) *
                  smooth_ramp(direction.z * 5.0 - 0.15);
-  float towards_sun = max(dot(direction, frame.sun_direction), 0.0);
-  vec3 lit = 1.15 * frame.horizon_radiance + frame.sun_radiance * (0.05 + 0.25 * pow(towards_sun, 6.0));
+  float towards_sun = max(dot(direction, light.sun_direction), 0.0);
+  vec3 lit = 1.15 * light.horizon_radiance + light.sun_radiance * (0.05 + 0.25 * pow(towards_sun, 6.0));
   color = vec4(mix(sky, lit, 0.75 * clouds), 0.0);
 }

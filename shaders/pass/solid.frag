@@ -2,7 +2,7 @@
 // The surface of BOARDS or a WHEEL, each a program of its own, for a software renderer walks through all
 // branches. Alpha is the cover, and no grass grows on it.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/haze.glsl"
 #include "shaders/lib/solid_table.glsl"
 #include "shaders/lib/solid_light.glsl"
@@ -16,7 +16,7 @@ layout(location = 0) out vec4 color;
 
 void main() {
   SolidParams solid = solids[solid_index];
-  float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * length(from_eye_m);
+  float pixel_m = view.parallel > 0.5 ? view.pixel_m : view.pixel_m * length(from_eye_m);
   vec3 normal = normalize(body_normal);
   vec3 albedo = solid.albedo;
 #ifdef BOARDS
@@ -28,6 +28,6 @@ void main() {
 #endif
   normal = scene_from_body(solid) * normal;
 
-  vec3 light = solid_light(normal.z, dot(normal, frame.sun_direction), open_to_light(solid, from_eye_m));
-  color = vec4(hazed(albedo * light, haze_at(from_eye_m)), 0.0);
+  vec3 incident = solid_light(normal.z, dot(normal, light.sun_direction), open_to_light(solid, from_eye_m));
+  color = vec4(hazed(albedo * incident, haze_at(from_eye_m)), 0.0);
 }

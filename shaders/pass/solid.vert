@@ -1,10 +1,10 @@
 #version 450 core
 // A vertex of something made of wood: of the mesh that all of its shape share, put where the thing is.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/solid_table.glsl"
 
-layout(location = 0) uniform uint first_solid;
+layout(location = kFirstThing) uniform uint first_solid;
 
 layout(location = 0) in vec3 place;  // shares of the half size, edges not yet rounded
 layout(location = 1) in vec3 facing;
@@ -20,6 +20,6 @@ void main() {
   in_body_m = place * (solid.half_size_m - solid.edge_m) + solid.edge_m * facing;
   body_normal = facing;
   from_eye_m = solid.centre_from_eye_m + scene_from_body(solid) * in_body_m;
-  gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(from_eye_m, 1.0);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }

@@ -1,10 +1,11 @@
 #version 450 core
 // Paints the maps in which all stones find their look (render/things/stone_map.h).
+#include "shaders/shared/bindings.glsl"
 #include "shaders/lib/stone.glsl"
 #include "shaders/lib/octahedral.glsl"
 
-layout(location = 0) uniform float texels;  // along a side
-layout(location = 1) uniform vec3 mean_albedo;
+layout(location = kStoneTexels) uniform float texels;  // along a side
+layout(location = kStoneAlbedo) uniform vec3 mean_albedo;
 layout(location = 0) out vec4 albedo;           // twice itself
 layout(location = 1) out vec4 normal_and_dent;  // the normal from -1 to 1
 

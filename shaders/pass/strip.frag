@@ -1,8 +1,9 @@
 #version 450 core
 // A strip (G03 §3.4): the alpha test shows as many of its texture's blades as the density asks for.
+#include "shaders/shared/bindings.glsl"
 #include "shaders/shared/strip_scale.glsl"
 
-layout(binding = 0) uniform sampler2DArray
+layout(binding = kStripUnit) uniform sampler2DArray
     strip_texture;  // rgb: radiance over its mean / kBrightest, a: rank of the blade
 
 layout(location = 0) in vec3 radiance;

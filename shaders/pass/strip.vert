@@ -1,7 +1,7 @@
 #version 450 core
 // A vertex of a strip (shaders/pass/strips.comp).
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 
 layout(location = 0) in vec3 position_m;
 layout(location = 1) in vec3 vertex_radiance;
@@ -15,6 +15,6 @@ void main() {
   radiance = vertex_radiance;
   place = vertex_place;
   shown = vertex_shown;
-  gl_Position = frame.clip_from_eye * vec4(position_m, 1.0f);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(position_m, 1.0f);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }

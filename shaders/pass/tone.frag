@@ -1,10 +1,11 @@
 #version 450 core
 // From linear light to an 8-bit picture: exposure, tone curve, sRGB.
+#include "shaders/shared/bindings.glsl"
 #include "shaders/kernels/interpolation.glsl"
 #include "shaders/kernels/tone.glsl"
 
-layout(binding = 0) uniform sampler2D linear_picture;
-layout(location = 0) uniform float exposure;
+layout(binding = kLinearPictureUnit) uniform sampler2D linear_picture;
+layout(location = kToneExposure) uniform float exposure;
 layout(location = 0) out vec4 color;
 
 void main() {

@@ -1,7 +1,7 @@
 #version 450 core
 // The surface of a walker. Alpha is the cover, and no grass grows on it.
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/haze.glsl"
 #include "shaders/lib/walker_table.glsl"
 #include "shaders/lib/sward_light.glsl"
@@ -16,11 +16,11 @@ layout(location = 5) flat in uint material;
 layout(location = 0) out vec4 color;
 
 void main() {
-  float pixel_m = frame.parallel > 0.5 ? frame.pixel_m : frame.pixel_m * length(from_eye_m);
+  float pixel_m = view.parallel > 0.5 ? view.pixel_m : view.pixel_m * length(from_eye_m);
   vec3 albedo = walker_albedo(walkers[walker_index], material, rest_place_m, pixel_m);
   vec3 facing = normalize(normal);
   float above_m = from_eye_m.z - walkers[walker_index].ground_from_eye_m;
   vec2 sky_and_sun = open_above(above_m, walkers[walker_index].in_sward_m) * vec2(open_share, 1.0);
-  vec3 light = solid_light(facing.z, dot(facing, frame.sun_direction), sky_and_sun);
-  color = vec4(hazed(albedo * light, haze_at(from_eye_m)), 0.0);
+  vec3 incident = solid_light(facing.z, dot(facing, light.sun_direction), sky_and_sun);
+  color = vec4(hazed(albedo * incident, haze_at(from_eye_m)), 0.0);
 }

@@ -1,10 +1,10 @@
 #version 450 core
 // A vertex of a walker: of the figure that all share, carried by two bones at most (linear blending).
 #include "shaders/lib/layouts.glsl"
-#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/frame_blocks.glsl"
 #include "shaders/lib/walker_table.glsl"
 
-layout(location = 0) uniform uint first_walker;
+layout(location = kFirstThing) uniform uint first_walker;
 
 layout(location = 0) in vec3 place_m;  // of the resting figure
 layout(location = 1) in vec3 facing;
@@ -31,6 +31,6 @@ void main() {
   rest_place_m = place_m;
   open_share = openness;
   material = skinning.w;
-  gl_Position = frame.clip_from_eye * vec4(from_eye_m, 1.0);
-  gl_Position.xy += frame.jitter * gl_Position.w;
+  gl_Position = view.clip_from_eye * vec4(from_eye_m, 1.0);
+  gl_Position.xy += view.jitter * gl_Position.w;
 }

@@ -19,12 +19,16 @@ using glm::vec3;
 using glm::vec4;
 using uint = glm::uint;
 
+#include "shaders/shared/bindings.glsl"
 #include "shaders/shared/blade.glsl"
 #include "shaders/shared/planted_cell.glsl"
 #include "shaders/shared/drawn_cell.glsl"
 #include "shaders/shared/lod.glsl"
 #include "shaders/shared/field_overlay.glsl"
-#include "shaders/shared/frame.glsl"
+#include "shaders/shared/view.glsl"
+#include "shaders/shared/light.glsl"
+#include "shaders/shared/field.glsl"
+#include "shaders/shared/ground_patch.glsl"
 #include "shaders/shared/grown_vertex.glsl"
 #include "shaders/shared/line.glsl"
 #include "shaders/shared/strip_tile.glsl"
@@ -42,13 +46,15 @@ using uint = glm::uint;
 
 using layouts::Blade;
 using layouts::DrawnCell;
-using layouts::FrameParams;
+using layouts::FieldParams;
+using layouts::GroundPatchParams;
 using layouts::GrownVertex;
 using layouts::HeatSquare;
 using layouts::kBrightest;
 using layouts::kSwardDeepest;
 using layouts::kSwardLowestSine;
 using layouts::kSwayPeriodS;
+using layouts::LightParams;
 using layouts::LineParams;
 using layouts::LodCoefficients;
 using layouts::PlantedCell;
@@ -56,6 +62,7 @@ using layouts::SolidParams;
 using layouts::SpeciesParams;
 using layouts::StripTile;
 using layouts::StripVertex;
+using layouts::ViewParams;
 using layouts::WalkerParams;
 using layouts::WindArrow;
 
@@ -64,14 +71,18 @@ static_assert(sizeof(Blade) == kTexelBytes * layouts::kBladeTexels);
 static_assert(offsetof(Blade, lean) == 32);
 static_assert(sizeof(DrawnCell) == kTexelBytes * layouts::kCellTexels);
 static_assert(offsetof(DrawnCell, eye_from_tile_m) == 80);
-static_assert(sizeof(FrameParams) == 368);
-static_assert(offsetof(FrameParams, anchor_m) == 240);
-static_assert(offsetof(FrameParams, lod) == 304);
+static_assert(sizeof(ViewParams) == 208);
+static_assert(offsetof(ViewParams, lod) == 144);
+static_assert(sizeof(LightParams) == 96);
+static_assert(offsetof(LightParams, zenith_radiance) == 64);
+static_assert(sizeof(FieldParams) == 64);
+static_assert(offsetof(FieldParams, flat_period_m) == 48);
 static_assert(sizeof(HeatSquare) == 48);
 static_assert(offsetof(HeatSquare, heat) == 32);
 static_assert(sizeof(LineParams) == 48);
 static_assert(offsetof(LineParams, color) == 32);
 static_assert(sizeof(LodCoefficients) == 64);
+static_assert(sizeof(GroundPatchParams) == 16);
 static_assert(sizeof(GrownVertex) == kTexelBytes);
 static_assert(sizeof(StripTile) == kTexelBytes * layouts::kStripTileTexels);
 static_assert(sizeof(StripVertex) == kTexelBytes * layouts::kStripVertexTexels);

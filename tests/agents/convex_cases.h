@@ -80,105 +80,135 @@ inline glm::dvec3 dyadic(const glm::dvec3& point) {
   return glm::round(point * 1024.0) / 1024.0;
 }
 
+inline int corner_count(Draw& draw) {
+  return 4 + draw.below(17);
+}
+
+inline PointPair clouds(Draw& draw, glm::dvec3 size) {
+  return {cloud(draw, corner_count(draw), size), cloud(draw, corner_count(draw), size)};
+}
+
+inline void turn_both(PointPair& pair, const glm::dmat3& turn) {
+  shift(pair.a, turn, glm::dvec3(0.0));
+  shift(pair.b, turn, glm::dvec3(0.0));
+}
+
+inline PointPair touching_pair(Draw& draw) {
+  PointPair pair = clouds(draw, glm::dvec3(1.0));
+  for (Points* points : {&pair.a, &pair.b}) {
+    for (glm::dvec3& point : *points) point = dyadic(point);
+  }
+  for (glm::dvec3& point : pair.a) point.z = -std::abs(point.z);
+  for (glm::dvec3& point : pair.b) point.z = std::abs(point.z);
+  pair.a.push_back({0.25, 0.125, 0.0});
+  pair.b.push_back({0.25, 0.125, 0.0});
+  return pair;
+}
+
+inline PointPair parallel_boxes(Draw& draw, double small_gap) {
+  const double gaps[] = {0.0, small_gap, 0.5, -0.25};
+  const glm::dvec3 half_a = 0.5 * dyadic(draw.in_cube() + 1.2), half_b = 0.5 * dyadic(draw.in_cube() + 1.2);
+  glm::dvec3 centre = dyadic(draw.in_cube());
+  centre[draw.below(3)] = 0.0;
+  const int axis = draw.below(3);
+  centre[axis] = half_a[axis] + half_b[axis] + gaps[draw.below(4)];
+  return {box_corners({}, glm::dmat3(1.0), half_a), box_corners(centre, glm::dmat3(1.0), half_b)};
+}
+
+inline PointPair thin_pair(Draw& draw, glm::dvec3 size) {
+  PointPair pair = clouds(draw, size);
+  const glm::dmat3 turn = draw.rotation();
+  const bool is_parallel = draw.below(3) == 0;
+  const double way = draw.size(1e-5, 1.0);
+  shift(pair.a, turn, glm::dvec3(0.0));
+  shift(pair.b, is_parallel ? turn : draw.rotation(), way * draw.direction());
+  return pair;
+}
+
+/// Corners, edges or triangles that face one another across the gap.
+inline PointPair pair_with_gap(Draw& draw, double small_gap) {
+  PointPair pair = clouds(draw, glm::dvec3(1.0));
+  const int face_a = 1 + draw.below(3), face_b = 1 + draw.below(3);
+  for (std::size_t n = 0; n < pair.a.size(); ++n)
+    pair.a[n].z = n < static_cast<std::size_t>(face_a) ? 0.0 : -std::abs(pair.a[n].z);
+  for (std::size_t n = 0; n < pair.b.size(); ++n)
+    pair.b[n].z = n < static_cast<std::size_t>(face_b) ? small_gap : small_gap + std::abs(pair.b[n].z);
+  turn_both(pair, draw.rotation());
+  return pair;
+}
+
+inline PointPair pair_of_few(Draw& draw) {
+  PointPair pair = {cloud(draw, 1 + draw.below(3), glm::dvec3(1.0)),
+                    cloud(draw, 1 + draw.below(3), glm::dvec3(1.0))};
+  if (draw.below(2) == 0) pair.a.push_back(pair.a[0]);
+  if (draw.below(2) == 0) pair.b.push_back(0.5 * (pair.b.front() + pair.b.back()));
+  if (draw.below(4) == 0) pair.b.push_back(pair.a[0]);
+  return pair;
+}
+
+inline PointPair unequal_pair(Draw& draw) {
+  PointPair pair = {cloud(draw, corner_count(draw), glm::dvec3(1.0)),
+                    cloud(draw, corner_count(draw), glm::dvec3(1e3))};
+  shift(pair.b, glm::dmat3(1.0), draw.within(900.0, 1800.0) * draw.direction());
+  if (draw.below(2) == 0) std::swap(pair.a, pair.b);
+  return pair;
+}
+
+inline PointPair crossed_edges(Draw& draw, double small_gap) {
+  PointPair pair = {cloud(draw, 4, glm::dvec3(1.0)), cloud(draw, 4, glm::dvec3(1.0))};
+  for (glm::dvec3& point : pair.a) point.z = -std::abs(point.z);
+  for (glm::dvec3& point : pair.b) point.z = small_gap + std::abs(point.z);
+  pair.a[0] = {-1.0, draw.within(-1.0, 1.0), 0.0};
+  pair.a[1] = {1.0, draw.within(-1.0, 1.0), 0.0};
+  pair.b[0] = {draw.within(-1.0, 1.0), -1.0, small_gap};
+  pair.b[1] = {draw.within(-1.0, 1.0), 1.0, small_gap};
+  turn_both(pair, draw.rotation());
+  return pair;
+}
+
+inline PointPair flat_pair(Draw& draw, glm::dvec3 apart) {
+  PointPair pair = clouds(draw, glm::dvec3(1.0, 1.0, 0.0));
+  const glm::dvec3 way = apart * glm::dvec3(1.0, 1.0, 0.0);
+  const glm::dmat3 turn = draw.below(2) == 0 ? draw.rotation() : glm::dmat3(1.0);
+  shift(pair.b, glm::dmat3(1.0), way);
+  turn_both(pair, turn);
+  return pair;
+}
+
 /// `size`: of the shapes, roughly; `small_gap`: the one of kSmallGap, absolute.
 inline PointPair convex_pair(Draw& draw, ConvexCase kind, double small_gap) {
-  PointPair pair;
-  const auto count = [&] { return 4 + draw.below(17); };
   const glm::dvec3 apart = draw.size(0.01, 10.0) * draw.direction();
+  PointPair pair;
   switch (kind) {
     case ConvexCase::kRandom:
-      pair = {cloud(draw, count(), glm::dvec3(1.0)), cloud(draw, count(), glm::dvec3(1.0))};
+      pair = clouds(draw, glm::dvec3(1.0));
       shift(pair.b, glm::dmat3(1.0), apart);
-      break;
+      return pair;
     case ConvexCase::kBoxes:
-      pair = {box_corners({}, draw.rotation(), 0.5 * (draw.in_cube() + 1.2)),
+      return {box_corners({}, draw.rotation(), 0.5 * (draw.in_cube() + 1.2)),
               box_corners(apart, draw.rotation(), 0.5 * (draw.in_cube() + 1.2))};
-      break;
-    case ConvexCase::kTouching: {
-      pair = {cloud(draw, count(), glm::dvec3(1.0)), cloud(draw, count(), glm::dvec3(1.0))};
-      for (Points* points : {&pair.a, &pair.b}) {
-        for (glm::dvec3& point : *points) point = dyadic(point);
-      }
-      for (glm::dvec3& point : pair.a) point.z = -std::abs(point.z);
-      for (glm::dvec3& point : pair.b) point.z = std::abs(point.z);
-      pair.a.push_back({0.25, 0.125, 0.0});
-      pair.b.push_back({0.25, 0.125, 0.0});
-      break;
-    }
-    case ConvexCase::kParallelFaces: {
-      const double gaps[] = {0.0, small_gap, 0.5, -0.25};
-      const glm::dvec3 half_a = 0.5 * dyadic(draw.in_cube() + 1.2),
-                       half_b = 0.5 * dyadic(draw.in_cube() + 1.2);
-      glm::dvec3 centre = dyadic(draw.in_cube());
-      centre[draw.below(3)] = 0.0;
-      const int axis = draw.below(3);
-      centre[axis] = half_a[axis] + half_b[axis] + gaps[draw.below(4)];
-      pair = {box_corners({}, glm::dmat3(1.0), half_a), box_corners(centre, glm::dmat3(1.0), half_b)};
-      break;
-    }
+    case ConvexCase::kTouching:
+      return touching_pair(draw);
+    case ConvexCase::kParallelFaces:
+      return parallel_boxes(draw, small_gap);
     case ConvexCase::kNeedles:
-    case ConvexCase::kPlates: {
-      const glm::dvec3 size =
-          kind == ConvexCase::kNeedles ? glm::dvec3(1.0, 1e-4, 1e-4) : glm::dvec3(1.0, 1.0, 1e-4);
-      pair = {cloud(draw, count(), size), cloud(draw, count(), size)};
-      const glm::dmat3 turn = draw.rotation();
-      const bool is_parallel = draw.below(3) == 0;
-      const double way = draw.size(1e-5, 1.0);
-      shift(pair.a, turn, glm::dvec3(0.0));
-      shift(pair.b, is_parallel ? turn : draw.rotation(), way * draw.direction());
-      break;
-    }
+      return thin_pair(draw, {1.0, 1e-4, 1e-4});
+    case ConvexCase::kPlates:
+      return thin_pair(draw, {1.0, 1.0, 1e-4});
     case ConvexCase::kCoincident:
-      pair.a = cloud(draw, count(), glm::dvec3(1.0));
+      pair.a = cloud(draw, corner_count(draw), glm::dvec3(1.0));
       pair.b = pair.a;
-      break;
-    case ConvexCase::kSmallGap: {
-      pair = {cloud(draw, count(), glm::dvec3(1.0)), cloud(draw, count(), glm::dvec3(1.0))};
-      const int face_a = 1 + draw.below(3), face_b = 1 + draw.below(3);
-      for (std::size_t n = 0; n < pair.a.size(); ++n)
-        pair.a[n].z = n < static_cast<std::size_t>(face_a) ? 0.0 : -std::abs(pair.a[n].z);
-      for (std::size_t n = 0; n < pair.b.size(); ++n)
-        pair.b[n].z = n < static_cast<std::size_t>(face_b) ? small_gap : small_gap + std::abs(pair.b[n].z);
-      const glm::dmat3 turn = draw.rotation();
-      shift(pair.a, turn, glm::dvec3(0.0));
-      shift(pair.b, turn, glm::dvec3(0.0));
-      break;
-    }
+      return pair;
+    case ConvexCase::kSmallGap:
+      return pair_with_gap(draw, small_gap);
     case ConvexCase::kFew:
-      pair = {cloud(draw, 1 + draw.below(3), glm::dvec3(1.0)),
-              cloud(draw, 1 + draw.below(3), glm::dvec3(1.0))};
-      if (draw.below(2) == 0) pair.a.push_back(pair.a[0]);
-      if (draw.below(2) == 0) pair.b.push_back(0.5 * (pair.b.front() + pair.b.back()));
-      if (draw.below(4) == 0) pair.b.push_back(pair.a[0]);
-      break;
+      return pair_of_few(draw);
     case ConvexCase::kUnequal:
-      pair = {cloud(draw, count(), glm::dvec3(1.0)), cloud(draw, count(), glm::dvec3(1e3))};
-      shift(pair.b, glm::dmat3(1.0), draw.within(900.0, 1800.0) * draw.direction());
-      if (draw.below(2) == 0) std::swap(pair.a, pair.b);
-      break;
-    case ConvexCase::kCrossedEdges: {
-      pair = {cloud(draw, 4, glm::dvec3(1.0)), cloud(draw, 4, glm::dvec3(1.0))};
-      for (glm::dvec3& point : pair.a) point.z = -std::abs(point.z);
-      for (glm::dvec3& point : pair.b) point.z = small_gap + std::abs(point.z);
-      pair.a[0] = {-1.0, draw.within(-1.0, 1.0), 0.0};
-      pair.a[1] = {1.0, draw.within(-1.0, 1.0), 0.0};
-      pair.b[0] = {draw.within(-1.0, 1.0), -1.0, small_gap};
-      pair.b[1] = {draw.within(-1.0, 1.0), 1.0, small_gap};
-      const glm::dmat3 turn = draw.rotation();
-      shift(pair.a, turn, glm::dvec3(0.0));
-      shift(pair.b, turn, glm::dvec3(0.0));
-      break;
-    }
-    case ConvexCase::kFlat: {
-      pair = {cloud(draw, count(), glm::dvec3(1.0, 1.0, 0.0)),
-              cloud(draw, count(), glm::dvec3(1.0, 1.0, 0.0))};
-      const glm::dvec3 way = apart * glm::dvec3(1.0, 1.0, 0.0);
-      const glm::dmat3 turn = draw.below(2) == 0 ? draw.rotation() : glm::dmat3(1.0);
-      shift(pair.b, glm::dmat3(1.0), way);
-      shift(pair.a, turn, glm::dvec3(0.0));
-      shift(pair.b, turn, glm::dvec3(0.0));
-      break;
-    }
+      return unequal_pair(draw);
+    case ConvexCase::kCrossedEdges:
+      return crossed_edges(draw, small_gap);
+    case ConvexCase::kFlat:
+      return flat_pair(draw, apart);
   }
   return pair;
 }

@@ -15,8 +15,6 @@
 namespace prairie {
 namespace {
 
-using testing::TemporaryFolder;
-
 std::string text_of(const std::filesystem::path& path) {
   const std::vector<std::byte> bytes = testing::read_bytes(path);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

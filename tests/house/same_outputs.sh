@@ -51,7 +51,9 @@ if [[ ! -d $reference ]]; then
 fi
 make_all "$2" "$work/program"
 files=$(cd "$reference" && find . -type f | wc -l)
-if ! diff -rq "$reference" "$work/program"; then
+if ! diff -rq "$reference" "$work/program" >"$work/differences"; then
+  head -n 20 "$work/differences"
+  echo "$(wc -l <"$work/differences") of $files files differ"
   exit 1
 fi
 echo "$files files are the same"

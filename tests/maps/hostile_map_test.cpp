@@ -17,7 +17,6 @@ namespace prairie {
 namespace {
 
 using OIIO::TypeDesc;
-using testing::TemporaryFolder;
 
 constexpr std::uint64_t kBudget = std::uint64_t{1} << 28;
 constexpr long kMaxResident_kB = 512 * 1024;

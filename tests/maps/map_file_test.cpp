@@ -13,7 +13,6 @@ namespace prairie {
 namespace {
 
 using OIIO::TypeDesc;
-using testing::TemporaryFolder;
 using testing::write_image;
 
 constexpr std::uint64_t kBudget = std::uint64_t{1} << 28;

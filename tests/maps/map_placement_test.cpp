@@ -8,7 +8,6 @@ namespace prairie {
 namespace {
 
 using testing::GeoTiffTags;
-using testing::TemporaryFolder;
 
 constexpr std::uint64_t kBudget = std::uint64_t{1} << 28;
 

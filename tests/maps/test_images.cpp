@@ -40,17 +40,6 @@ void append_chunk(std::vector<std::uint8_t>* png, const std::string& type,
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "prairie_maps_XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 template <class T>
 void write_image(const std::filesystem::path& path, int width, int height, int channels,
                  OIIO::TypeDesc stored, const std::vector<T>& pixels, const OIIO::ParamValueList& attributes,

@@ -57,7 +57,7 @@ TEST(WindFile, NamesLineAndColumnOfWhatIsWrong) {
 }
 
 TEST(WindFile, IsReadFromDisk) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_text(folder / "wind.csv", "time_s,speed_m_per_s,heading_rad\n0,5,0\n");
   EXPECT_EQ(read_wind_file(folder / "wind.csv").times_s.size(), 1u);
   EXPECT_THROW(read_wind_file(folder / "other.csv"), BadInput);

@@ -28,7 +28,7 @@ TEST(WorldFile, AnythingElseIsNone) {
 
 TEST(WorldFile, IsFoundUnderItsCustomaryNames) {
   for (const char* name : {"map.tfw", "map.tifw", "map.wld", "map.TFW"}) {
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     EXPECT_FALSE(find_world_file(folder / "map.tif").has_value());
     testing::write_text(folder / name, "1 0 0 -1 0 0");
     EXPECT_EQ(find_world_file(folder / "map.tif"), folder / name);
@@ -36,7 +36,7 @@ TEST(WorldFile, IsFoundUnderItsCustomaryNames) {
 }
 
 TEST(WorldFile, BrokenIsNamed) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_text(folder / "map.wld", std::string(10000, '1'));
   EXPECT_THROW(read_world_file(folder / "map.wld"), BadInput);
 }

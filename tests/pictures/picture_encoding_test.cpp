@@ -13,8 +13,6 @@
 namespace prairie {
 namespace {
 
-using testing::TemporaryFolder;
-
 constexpr std::uint64_t kBudget = std::uint64_t{1} << 28;
 
 MapSpec spec_of(const std::filesystem::path& file) {

@@ -33,17 +33,6 @@ MapSpec density_map(MapSpec map, double max_per_m2) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "prairie-render-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 MapSpec write_map(const TemporaryFolder& folder, const char* name, double extent_m, double spacing_m,
                   const std::function<double(glm::dvec2)>& value) {
   const std::vector<std::byte> bytes =

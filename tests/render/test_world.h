@@ -6,22 +6,10 @@
 #include <glm/vec2.hpp>
 
 #include "lod/camera.h"
+#include "tests/temporary_folder.h"
 #include "world/world.h"
 
 namespace prairie {
-
-/// A folder that is removed in the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A map of nodes `spacing_m` apart over extent_m × extent_m, written as a GeoTIFF without a place on Earth.
 MapSpec write_map(const TemporaryFolder& folder, const char* name, double extent_m, double spacing_m,

@@ -321,7 +321,7 @@ TEST(SceneWind, HasItsPrimitives) {
 }
 
 TEST(SceneWind, ReplaysAMeasuredSeries) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_text(folder / "w.csv", "time_s,speed_m_per_s,direction_deg\n0,4,270\n10,8,270\n");
   const std::string text = std::string(kPlainScene) + "[wind]\nfile = \"w.csv\"\nplace_m = [5, 0]\n";
   const Wind wind = wind_of(parse_scene(text, folder.path(), {}));
@@ -332,7 +332,7 @@ TEST(SceneWind, ReplaysAMeasuredSeries) {
 }
 
 TEST(SceneWind, RefusesAFileThatHoldsNone) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string text = std::string(kPlainScene) + "[wind]\nfile = \"w.csv\"\n";
   const auto refused = [&](const char* rows) {
     testing::write_text(folder / "w.csv", std::string("time_s,speed_m_per_s,heading_rad\n") + rows);
@@ -360,7 +360,7 @@ TEST(SceneWind, RefusesAFileThatHoldsNone) {
 }
 
 TEST(SceneWind, ItsFileCountsInTheHash) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto hash = [&](const char* name, const char* speed) {
     testing::write_text(folder / name, std::string("time_s,speed_m_per_s,heading_rad\n0,") + speed + ",0\n");
     return testing::open_scene(folder.path(), std::string(kPlainScene) + "[wind]\nfile = \"" + name + "\"\n")

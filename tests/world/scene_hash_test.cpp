@@ -121,7 +121,7 @@ TEST(SceneHash, ChangesWithEverySetting) {
 }
 
 TEST(SceneHash, KnowsMapsByContentNotByName) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto open = [&](const char* name, const char* file, float somewhere) {
     std::filesystem::create_directories(folder / name);
     testing::write_raster(folder / name / file, 9, 9, 1.0, std::nullopt,

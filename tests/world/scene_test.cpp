@@ -240,7 +240,7 @@ TEST(Scene, RefusesDeepNestingAndBinary) {
 }
 
 TEST(Scene, NamesAMissingFile) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   try {
     read_scene(folder / "nowhere", {});
     FAIL();
@@ -251,7 +251,7 @@ TEST(Scene, NamesAMissingFile) {
 }
 
 TEST(Scene, RefusesAFolderInPlaceOfAFileAndAHugeFile) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "scene.toml");
   EXPECT_THROW(read_scene(folder.path(), {}), BadInput);
   std::filesystem::create_directories(folder / "huge");

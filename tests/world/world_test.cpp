@@ -13,7 +13,6 @@ namespace prairie {
 namespace {
 
 using testing::open_scene;
-using testing::TemporaryFolder;
 using testing::write_raster;
 
 float rolling(int column, int row) {

@@ -151,7 +151,7 @@ const std::vector<Breakage> kBreakages{
 class BadInput : public ::testing::TestWithParam<Breakage> {};
 
 TEST_P(BadInput, IsRefusedInOneLine) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const fs::path scene = folder / "scene";
   testing::write_small_scene(scene);
   GetParam().apply(scene);
@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BadInput, ::testing::ValuesIn(kBreakages),
                          [](const auto& breakage) { return breakage.param.name; });
 
 TEST(BadInputOfNew, RasterThatIsNone) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_text(folder / "notes.txt", "no raster");
   const Outcome outcome =
       testing::prairie({"new", (folder / "scene").string(), "--height", (folder / "notes.txt").string()});
@@ -190,7 +190,7 @@ TEST(BadInputOfNew, RasterThatIsNone) {
 }
 
 TEST(BadInputOfNew, RefusesAFolderThatIsNotEmpty) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_text(folder / "mine.txt", "precious");
   EXPECT_EQ(testing::prairie({"new", folder.path().string()}).exit_code, 2);
   EXPECT_FALSE(fs::exists(folder / "scene.toml"));

@@ -11,7 +11,6 @@ namespace prairie {
 namespace {
 
 using testing::Outcome;
-using testing::TemporaryFolder;
 
 void expect_usage_error(const std::vector<std::string>& arguments, const std::string& mentions) {
   const Outcome outcome = testing::prairie(arguments);

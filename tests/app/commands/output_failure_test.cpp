@@ -42,7 +42,7 @@ class Output : public ::testing::Test {
     return names;
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
   const std::string scene_ = (folder_ / "scene").string();
 };
 

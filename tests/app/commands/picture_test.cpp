@@ -36,7 +36,7 @@ class Pictures : public ::testing::Test {
     return testing::run(call);
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
   const std::string scene_ = (folder_ / "scene").string();
 };
 

@@ -18,7 +18,6 @@ namespace prairie {
 namespace {
 
 using testing::Outcome;
-using testing::TemporaryFolder;
 
 class Plant : public ::testing::Test {
  protected:

@@ -54,7 +54,7 @@ class Record : public ::testing::Test {
     return names;
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
   const std::string scene_ = (folder_ / "scene").string();
 };
 

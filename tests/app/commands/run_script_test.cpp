@@ -26,7 +26,7 @@ class RunScript : public ::testing::Test {
     return result;
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(RunScript, PassesStdoutAndExitCodeOn) {

@@ -54,7 +54,7 @@ path_m = [[5, 6], [12, 7]]
       EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
   const std::string scene_ = (folder_ / "scene").string();
 };
 

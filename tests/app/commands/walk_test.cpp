@@ -53,7 +53,7 @@ radius_m = 6
       EXPECT_NE(outcome.err.find(mention), std::string::npos) << mention;
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(Walk, WritesTrajectoriesThatItReadsAgain) {

@@ -10,13 +10,13 @@
 namespace prairie {
 namespace {
 
-World small_world(const testing::TemporaryFolder& folder) {
+World small_world(const TemporaryFolder& folder) {
   testing::write_small_scene(folder.path());
   return open_world(folder.path(), {});
 }
 
 TEST(CameraOption, NumbersInMetresAndDegrees) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const World world = small_world(folder);
   const CameraSpec spec = camera_option("1.5,-2,3,90,-10,45", world);
   EXPECT_EQ(spec.position_m, glm::dvec2(1.5, -2.0));
@@ -31,7 +31,7 @@ TEST(CameraOption, NumbersInMetresAndDegrees) {
 }
 
 TEST(CameraOption, SignMeansAboveTheGround) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const World world = small_world(folder);
   const Camera camera = placed_camera(camera_option("8,8,+1.7,0,0", world), world, {320, 200});
   EXPECT_DOUBLE_EQ(camera.eye_m.z, static_cast<double>(world.meadow().ground.height_m({8.0, 8.0})) + 1.7);
@@ -39,7 +39,7 @@ TEST(CameraOption, SignMeansAboveTheGround) {
 }
 
 TEST(CameraOption, NamesOfTheScene) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const World world = small_world(folder);
   EXPECT_EQ(camera_option("default", world).pitch_deg, -10.0);
   EXPECT_THROW(camera_option("north", world), UsageError);

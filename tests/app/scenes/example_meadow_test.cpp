@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kCommitted = fs::path(PRAIRIE_EXAMPLES) / "meadow";
+const fs::path kCommitted = fs::path(PRAIRIE_SOURCES) / "examples/meadow";
 
 double mean_per_m2(const GreyMap& map) {
   const double sum = std::accumulate(map.values.begin(), map.values.end(), 0.0);
@@ -42,7 +42,7 @@ TEST(ExampleMeadow, SeedsDiffer) {
 }
 
 TEST(ExampleMeadow, DefaultCamerasStandOnPlantedGround) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 99u}) {
     NewSceneRequest request;
     request.folder = folder / std::to_string(seed);
@@ -60,7 +60,7 @@ TEST(ExampleMeadow, DefaultCamerasStandOnPlantedGround) {
 }
 
 TEST(ExampleMeadow, IsTheCommittedOne) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   NewSceneRequest request;
   request.folder = folder / "meadow";
   new_scene(request);

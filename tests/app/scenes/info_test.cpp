@@ -31,7 +31,7 @@ TEST(Info, WarnsOfTooManyBladesAndOfNone) {
 }
 
 TEST(Info, PrintsOneJsonObject) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_raster(folder / "a.tif", 11, 11, 2.0, glm::dvec2(500.0, 600.0),
                         [](int, int) { return 0.5f; });
   const World world = testing::open_scene(

@@ -14,7 +14,6 @@ namespace prairie {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TemporaryFolder;
 using testing::write_raster;
 
 std::map<std::string, std::vector<std::byte>> contents(const fs::path& folder) {

@@ -35,7 +35,7 @@ class RealScenes : public ::testing::Test {
 
  private:
   fs::path data_;
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 void expect_a_place_to_stand(const World& world) {

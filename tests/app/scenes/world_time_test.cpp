@@ -18,7 +18,7 @@ TEST(WorldTime, AreEvenAndNoLongerThanASixtieth) {
 }
 
 TEST(WorldTime, EndWhereTheyShould) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   testing::write_small_scene(folder.path());
   World world = open_world(folder.path(), {});
   for (int frame = 0; frame <= 50; ++frame) {

@@ -1,12 +1,12 @@
 // What a person does in a moving world, without a window.
 #include "app/viewer/play.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -67,17 +67,21 @@ TEST(WindControls, FollowTheScene) {
   EXPECT_EQ(controls.turbulence, 0.5f);
 }
 
-TEST(WindControls, KeysStayInRange) {
+TEST(WindControls, StepsStayInRange) {
   WindControls controls;
-  for (int n = 0; n < 100; ++n)
-    for (const int key : {GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_APOSTROPHE, GLFW_KEY_COMMA})
-      apply_wind_key(key, controls);
+  for (int n = 0; n < 100; ++n) {
+    change_speed(controls, +1);
+    change_turbulence(controls, +1);
+    change_heading(controls, -1);
+  }
   EXPECT_EQ(controls.speed_m_per_s, WindControls::kMostSpeedMPerS);
   EXPECT_EQ(controls.turbulence, WindControls::kMostTurbulence);
   EXPECT_GE(controls.heading_deg, 0.0f);
   EXPECT_LT(controls.heading_deg, 360.0f);
-  for (int n = 0; n < 100; ++n)
-    for (const int key : {GLFW_KEY_LEFT_BRACKET, GLFW_KEY_SEMICOLON}) apply_wind_key(key, controls);
+  for (int n = 0; n < 100; ++n) {
+    change_speed(controls, -1);
+    change_turbulence(controls, -1);
+  }
   EXPECT_EQ(controls.speed_m_per_s, 0.0f);
   EXPECT_EQ(controls.turbulence, 0.0f);
 }
@@ -96,8 +100,8 @@ TEST(Play, GustsComeFromBehindAndTornadoesAhead) {
   Play play(world, true);
   Camera east = camera();
   east.yaw_rad = std::numbers::pi / 2.0;
-  play.press(GLFW_KEY_B, east);
-  play.press(GLFW_KEY_V, east);
+  play.send_gust(east);
+  play.send_tornado(east);
   const std::vector<WindPrimitive>& primitives = world.motion().wind().primitives;
   ASSERT_EQ(primitives.size(), 2u);
   EXPECT_LT(std::get<Gust>(primitives[0]).origin_m.x, east.eye_m.x);
@@ -108,35 +112,39 @@ TEST(Play, GustsComeFromBehindAndTornadoesAhead) {
 TEST(Play, OneStoneAtATime) {
   World world = small_world();
   Play play(world, false);
-  play.press(GLFW_KEY_R, camera());
+  play.roll_stone(camera());
   for (int n = 0; n < 300; ++n) play.advance(0.1, {}, camera());
   ASSERT_EQ(world.driven().size(), 1u);
   EXPECT_NEAR(world.driven()[0].place.contact_m.y, 1.0 + 4.0 + 40.0, 1e-3);
   EXPECT_GT(world.motion().treading().sample({8.0, 30.0}).tilt_rad, 0.2f);
-  play.press(GLFW_KEY_R, camera());
+  play.roll_stone(camera());
   play.advance(0.1, {}, camera());
   ASSERT_EQ(world.driven().size(), 1u);
   EXPECT_LT(world.driven()[0].place.contact_m.y, 6.0);
 }
 
-TEST(Play, KeysAndControlsOfAnyKindKeepTheWorldSound) {
+TEST(Play, WhateverAPersonDoesKeepsTheWorldSound) {
   World world = small_world();
   Play play(world, false);
   std::mt19937 random(7);
-  const int keys[] = {GLFW_KEY_P,
-                      GLFW_KEY_N,
-                      GLFW_KEY_B,
-                      GLFW_KEY_V,
-                      GLFW_KEY_R,
-                      GLFW_KEY_C,
-                      GLFW_KEY_RIGHT_BRACKET,
-                      GLFW_KEY_COMMA,
-                      GLFW_KEY_APOSTROPHE};
+  using Deed = std::function<void(const Camera&)>;
+  const Deed deeds[] = {
+      [&](const Camera&) { play.toggle_pause(); },
+      [&](const Camera&) { play.step_once(); },
+      [&](const Camera& eye) { play.send_gust(eye); },
+      [&](const Camera& eye) { play.send_tornado(eye); },
+      [&](const Camera& eye) { play.roll_stone(eye); },
+      [&](const Camera& eye) { play.take_cart(eye); },
+      [&](const Camera&) { play.leave_cart(); },
+      [&](const Camera&) {
+        play.set_wind({static_cast<float>(random() % 30), 255.0f, 1.5f});
+      },
+  };
   Camera eye = camera();
   for (int n = 0; n < 60; ++n) {
     if (n == 50) eye.eye_m = {1e7, -1e7, 3.0};
     eye.yaw_rad = 0.1 * n;
-    play.press(keys[random() % 9], eye);
+    deeds[random() % std::size(deeds)](eye);
     play.advance(0.05, {static_cast<double>(random() % 3) - 1.0, static_cast<double>(random() % 3) - 1.0},
                  eye);
     for (const DrivenMover& driven : world.driven())

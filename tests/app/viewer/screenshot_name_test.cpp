@@ -8,7 +8,7 @@ namespace prairie {
 namespace {
 
 TEST(ScreenshotName, TakesTheFirstFreeNumber) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(free_screenshot_name(folder.path()), folder / "prairie-0001.png");
   testing::write_text(folder / "prairie-0001.png", "");
   testing::write_text(folder / "prairie-0003.png", "");

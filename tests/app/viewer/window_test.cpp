@@ -35,7 +35,8 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 // X's symbols, whose header defines macros.
-constexpr unsigned long kEscape = 0xff1b, kLeft = 0xff51, kUp = 0xff52;
+constexpr unsigned long kEscape = 0xff1b, kLeft = 0xff51, kUp = 0xff52, kKeypadAdd = 0xffab,
+                        kKeypadSubtract = 0xffad, kF12 = 0xffc9, kShift = 0xffe1, kControl = 0xffe3;
 
 /// Two walkers in sight of the camera, the first straight ahead.
 constexpr const char* kWalkers = R"([[walkers]]
@@ -83,6 +84,21 @@ TEST(WindowTest, CountsTheWheel) {
   EXPECT_EQ(window.steering(false).wheel, 0.0);
   EXPECT_EQ(turned(true), 0.0);
   EXPECT_EQ(window.steering(false).wheel, 0.0) << "what turned over the text is forgotten";
+}
+
+TEST(WindowTest, PassesKeysOn) {
+  Window window({64, 48});
+  testing::WindowFromOutside outside;
+  ASSERT_TRUE(outside.is_there());
+  std::vector<Key> keys;
+  window.on_key = [&keys](Key key) { keys.push_back(key); };
+  const std::vector<unsigned long> pressed{'p',  '[',    '\'',  '=',      '-',    kKeypadAdd, kKeypadSubtract,
+                                           kF12, kShift, kLeft, kControl, kEscape};
+  for (const unsigned long symbol : pressed) outside.press(symbol);
+  window.poll();
+  EXPECT_EQ(keys, (std::vector<Key>{'P', '[', '\'', '=', '-', NamedKey::kKeypadAdd, NamedKey::kKeypadSubtract,
+                                    NamedKey::kF12, NamedKey::kShift, NamedKey::kArrows, NamedKey::kOther,
+                                    NamedKey::kEscape}));
 }
 
 class ViewerTest : public ::testing::Test {
@@ -135,13 +151,14 @@ class ViewerTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
   bool ends_itself_ = false;  // what is done to the window closes it
 };
 
 TEST_F(ViewerTest, TimePassesUnlessItPauses) {
   World world(read_scene(folder_ / "scene", {}), {});
-  view(world, {}, [](testing::WindowFromOutside&) { std::this_thread::sleep_for(500ms); });
+  // Until long after the first frame, whose shaders may have to be compiled.
+  view(world, {}, [](testing::WindowFromOutside&) { std::this_thread::sleep_for(2s); });
   EXPECT_GT(world.time_s(), 0.0);
   EXPECT_EQ(after_keys({}).time_s(), 0.0);
   EXPECT_GT(after_keys({'p', 'p', 'n'}).time_s(), 0.0);

@@ -7,14 +7,16 @@
 //
 // After a change of the look that is meant: PRAIRIE_UPDATE_GOLDEN=1 in the environment writes the pictures
 // into the source tree; look at them before committing.
-#include <OpenImageIO/imageio.h>
-
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "pictures/picture_encoding.h"
+#include "pictures/picture_input.h"
 #include "render/frame/renderer.h"
+#include "render/things/walker_pass.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 #include "tests/render/things/walking.h"
@@ -23,18 +25,11 @@ namespace prairie {
 namespace {
 
 constexpr int kVisibleStep = 8;
+const std::filesystem::path kGoldenFolder =
+    std::filesystem::path(PRAIRIE_SOURCES) / "tests/render/frame/golden";
 
 std::filesystem::path golden_file(const std::string& name) {
-  return std::filesystem::path(PRAIRIE_TEST_GOLDEN) / (name + ".png");
-}
-
-std::vector<std::uint8_t> read_golden(const std::string& name, int width, int height) {
-  const auto file = OIIO::ImageInput::open(golden_file(name).string());
-  if (!file || file->spec().width != width || file->spec().height != height || file->spec().nchannels != 3)
-    return {};
-  std::vector<std::uint8_t> rgb(static_cast<std::size_t>(3 * width * height));
-  if (!file->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, rgb.data())) return {};
-  return rgb;
+  return kGoldenFolder / (name + ".png");
 }
 
 class GoldenTest : public HeadlessTest {
@@ -42,13 +37,15 @@ class GoldenTest : public HeadlessTest {
   void compare(const std::string& name, const Picture& picture, double differing_share) {
     if (std::getenv("PRAIRIE_UPDATE_GOLDEN") != nullptr) {
       const std::vector<std::byte> png = encode_png_rgb8(picture.width, picture.height, picture.srgb);
-      std::filesystem::create_directories(PRAIRIE_TEST_GOLDEN);
+      std::filesystem::create_directories(kGoldenFolder);
       std::ofstream(golden_file(name), std::ios::binary)
           .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
       GTEST_SKIP() << "wrote " << golden_file(name);
     }
-    const std::vector<std::uint8_t> golden = read_golden(name, picture.width, picture.height);
-    ASSERT_EQ(golden.size(), picture.srgb.size()) << golden_file(name) << " is missing or of another size";
+    const Picture expected = read_picture(golden_file(name), "golden picture");
+    const std::vector<std::uint8_t>& golden = expected.srgb;
+    ASSERT_EQ(expected.width, picture.width);
+    ASSERT_EQ(expected.height, picture.height);
     std::size_t differing = 0;
     for (std::size_t n = 0; n < golden.size(); n += 3) {
       int most = 0;
@@ -116,16 +113,25 @@ TEST_F(GoldenTest, Walkers) {
         walking(ground, {11.0 + 1.4 * n, 14.0 + 3.0 * (n % 3)}, 0.8 * n, 1.0, 3.0 + 0.1 * n, 1.7, n));
   Camera camera = camera_above(world, {16.0, 1.0}, 1.7, 0.0, -0.15);
   camera.size_px = {320, 240};
-  FrameOptions options;
-  options.walkers = walkers;
-  compare("walkers", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, options, 4), 0.05);
+  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
+  WalkerPass pass(PRAIRIE_TEST_SHADERS);
+  const auto walkers_pass = std::ranges::find(renderer.passes(), std::string_view("walkers"), &Pass::name);
+  renderer.passes().insert(walkers_pass, {.name = "posed walkers",
+                                          .state = WalkerPass::kState,
+                                          .prepare =
+                                              [&](const ViewInputs& in) {
+                                                return pass.prepare(in.stream, walkers, in.plan.camera,
+                                                                    in.sward_height_m);
+                                              },
+                                          .draw = [&](const ViewInputs&) { pass.draw(); }});
+  compare("walkers", renderer.render(camera, {}, 4), 0.05);
 }
 
 /// A trunk, a block, rocks and a wall on a slope in the grass. A quarter of the picture is theirs, smooth but
 /// for the relief on them; the rest is blades as in the other cases.
 TEST_F(GoldenTest, Obstacles) {
-  const World world = open_world(meadow_scene(folder_));
-  StandingThings things;
+  Scene scene = meadow_scene(folder_);
+  StandingThings& things = scene.standing;
   things.obstacles = {Trunk{{13.6, 6.6}, 0.22, 1.9}, Block{{14.8, 6.2}, {1.4, 0.8, 0.9}, 0.5},
                       Rock{{16.7, 5.8}, {1.4, 1.0, 1.1}, 0.4, 3}, Rock{{16.0, 4.6}, {0.5, 0.4, 0.4}, 1.0, 9}};
   Wall wall;
@@ -133,11 +139,10 @@ TEST_F(GoldenTest, Obstacles) {
   wall.walkers = WallSide::kOutside;
   wall.height_m = 0.9;
   things.walls = {wall};
+  const World world = open_world(scene);
   Camera camera = camera_above(world, {15.5, 1.2}, 1.7, 0.0, -0.2);
   camera.size_px = {320, 240};
-  Renderer renderer(world, PRAIRIE_TEST_SHADERS);
-  renderer.stand(things);
-  compare("obstacles", renderer.render(camera, {}, 4), 0.05);
+  compare("obstacles", Renderer(world, PRAIRIE_TEST_SHADERS).render(camera, {}, 4), 0.05);
 }
 
 }  // namespace

@@ -78,13 +78,17 @@ TEST_F(PictureTest, HermiteTierDrawsEveryBlade) {
   Renderer renderer(world, PRAIRIE_TEST_SHADERS);
   Camera camera = camera_above(world, {16.0, 16.0}, 40.0, 0.0, -1.5707);
   camera.fov_rad = 1.3;
-  const Picture all = renderer.render(camera, {Tier::kHermite, false}, 1);
-  EXPECT_EQ(all.statistics.blades_drawn, planted);
-  EXPECT_EQ(all.statistics.blades_planted_in_view, planted);
-  const Picture some = renderer.render(camera, {Tier::kAuto, false}, 1);
-  EXPECT_LT(some.statistics.blades_drawn, planted);
-  EXPECT_GT(some.statistics.blades_drawn, 0u);
-  EXPECT_EQ(renderer.render(camera, {Tier::kFlat, false}, 1).statistics.blades_drawn, 0u);
+  const auto drawn = [&](Tier tier) {
+    renderer.render(camera, {.tier = tier}, 1);
+    return renderer.picture_statistics();
+  };
+  const FrameStatistics all = drawn(Tier::kHermite);
+  EXPECT_EQ(all.blades_drawn, planted);
+  EXPECT_EQ(all.blades_planted_in_view, planted);
+  const FrameStatistics some = drawn(Tier::kAuto);
+  EXPECT_LT(some.blades_drawn, planted);
+  EXPECT_GT(some.blades_drawn, 0u);
+  EXPECT_EQ(drawn(Tier::kFlat).blades_drawn, 0u);
 }
 
 /// The tiers stand for one another: seen from above, the mean colour of the flat one is near that of all
@@ -148,18 +152,18 @@ TEST_F(MeanwhileTest, HasEndedWhenTheFrameIsDrawnAndIsDoneOnce) {
   const World world = windy_world();
   Renderer renderer(world, PRAIRIE_TEST_SHADERS);
   const Camera camera = camera_above(world, {16.0, 2.0}, 1.7, 0.0, -0.2);
-  const GlTexture color = make_texture(GL_TEXTURE_2D);
+  const GlTexture color = make_texture(GL_TEXTURE_2D, "window");
   glTextureStorage2D(color.get(), 1, GL_RGBA8, camera.size_px.x, camera.size_px.y);
-  const GlFramebuffer target = make_framebuffer();
+  const GlFramebuffer target = make_framebuffer("window");
   glNamedFramebufferTexture(target.get(), GL_COLOR_ATTACHMENT0, color.get(), 0);
   for (const std::size_t threads : {1, 2}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     int done = 0;
-    renderer.draw(camera, {}, target.get(), [&] { ++done; });
+    renderer.draw({camera, {}, target.get()}, [&] { ++done; });
     EXPECT_EQ(done, 1);
     renderer.render(camera, {}, 3, [&] { ++done; });
     EXPECT_EQ(done, 2);
-    EXPECT_THROW(renderer.draw(camera, {}, target.get(), [] { throw std::runtime_error("no"); }),
+    EXPECT_THROW(renderer.draw({camera, {}, target.get()}, [] { throw std::runtime_error("no"); }),
                  std::runtime_error);
     EXPECT_THROW(renderer.render(camera, {}, 1, [] { throw std::runtime_error("no"); }), std::runtime_error);
   }

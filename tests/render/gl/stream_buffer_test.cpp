@@ -12,7 +12,7 @@ namespace {
 using StreamBufferTest = HeadlessTest;
 
 std::vector<std::uint32_t> read_back(const StreamBuffer::Slice& slice, std::size_t count) {
-  GlBuffer copy;
+  GlBuffer copy("copy");
   copy.reserve(count * sizeof(std::uint32_t));
   glCopyNamedBufferSubData(slice.buffer, copy.get(), slice.offset, 0,
                            static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)));

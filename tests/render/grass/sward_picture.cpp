@@ -171,7 +171,7 @@ SwardPicture picture_of(std::span<const SwardLayer> layers, double side_m, doubl
   return picture;
 }
 
-glm::vec3 SwardPicture::color(const FrameParams& light, float shade, int layer) const {
+glm::vec3 SwardPicture::color(const LightParams& light, float shade, int layer) const {
   Kernels kernels;
   glm::dvec3 sum(0.0);
   double count = 1e-9;

@@ -25,7 +25,7 @@ struct SwardPicture {
 
   double cover() const { return rays_on_blades / rays; }
   /// Mean radiance of the blades that are seen; of one layer's, if it is not negative.
-  glm::vec3 color(const FrameParams& light, float shade, int layer = -1) const;
+  glm::vec3 color(const LightParams& light, float shade, int layer = -1) const;
   double cover_of(int layer) const;
 };
 

@@ -12,8 +12,9 @@
 #include <numbers>
 
 #include "render/frame/renderer.h"
-#include "render/light/light.h"
+#include "render/light/scene_light.h"
 #include "shaders/kernels/kernels.h"
+#include "tests/render/grass/sward_look.h"
 #include "tests/render/grass/sward_picture.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
@@ -87,8 +88,8 @@ SpeciesParams short_broad_grass() {
   return p;
 }
 
-FrameParams light_from(double sun_elevation_rad, double sun_azimuth_rad) {
-  FrameParams light{};
+LightParams light_from(double sun_elevation_rad, double sun_azimuth_rad) {
+  LightParams light{};
   light.sun_direction = glm::vec3(glm::dvec3(std::cos(sun_elevation_rad) * std::cos(sun_azimuth_rad),
                                              std::cos(sun_elevation_rad) * std::sin(sun_azimuth_rad),
                                              std::sin(sun_elevation_rad)));
@@ -203,7 +204,7 @@ TEST(SwardResponseTest, TellsTheSpeciesOfAMixApart) {
   const SpeciesParams low = fescue();
   const SpeciesParams tall = oatgrass();
   const std::vector<SwardLayer> layers = {{&low, 800.0}, {&tall, 200.0}};
-  const FrameParams light = light_from(kSunElevations[1], kSunAzimuths[1]);
+  const LightParams light = light_from(kSunElevations[1], kSunAzimuths[1]);
   const SwardResponse response = sward_response(layers, light);
   for (const double elevation_deg : {5.0, 20.0, 70.0}) {
     const double sine = std::sin(elevation_deg * kRadPerDeg);
@@ -221,7 +222,7 @@ TEST(SwardResponseTest, TellsTheSpeciesOfAMixApart) {
 TEST(SwardResponseTest, KnowsASpeciesThatIsSownNowhere) {
   const SpeciesParams low = fescue();
   const SpeciesParams tall = oatgrass();
-  const FrameParams light = light_from(kSunElevations[0], 0.0);
+  const LightParams light = light_from(kSunElevations[0], 0.0);
   const std::vector<SwardLayer> layers = {{&low, 500.0}, {&tall, 0.0}};
   const SwardResponse mixed = sward_response(layers, light);
   const SwardResponse alone = sward_response(std::span(layers).first(1), light);
@@ -237,7 +238,7 @@ TEST(SwardResponseTest, IsTheSameOnAnyNumberOfThreads) {
   const SpeciesParams tall = oatgrass();
   const SpeciesParams broad = short_broad_grass();
   const std::vector<SwardLayer> layers = {{&low, 800.0}, {&tall, 200.0}, {&broad, 100.0}};
-  const FrameParams light = light_from(kSunElevations[0], 0.0);
+  const LightParams light = light_from(kSunElevations[0], 0.0);
   const auto timed = [&] {
     const auto start = std::chrono::steady_clock::now();
     SwardResponse response = sward_response(layers, light);
@@ -266,7 +267,7 @@ TEST_F(SwardRenderTest, HasTheColorOfThePictureOfAllBlades) {
   scene.species[0].species.params = fescue();
   scene.species[0].uniform_density_per_m2 = 2500.0;
   const World world = open_world(scene);
-  const FrameParams light = frame_params(world, {}, {}, {});
+  const LightParams light = scene_light(scene.sun);
   const SwardLayer layer{&scene.species[0].species.params, 2500.0};
   const SwardResponse response = sward_response(std::span(&layer, 1), light);
   const float shade = Kernels{}.shade_of(2500.0f, light.shade_density_per_m2);

@@ -3,29 +3,25 @@
 
 #include <vector>
 
+#include "render/frame/frame_blocks.h"
+#include "render/gl/draw_state.h"
 #include "render/gl/render_target.h"
 #include "render/gl/stream_buffer.h"
-#include "render/light/light.h"
 #include "world/world.h"
 
 namespace prairie {
 
-/// Rows from the top. `draw(stream)` prepares and draws it; the frame block is that of an empty frame of this
-/// world.
+/// Rows from the top. `draw(stream)` prepares and draws it with that state; the frame's blocks are those of
+/// an empty frame of this world.
 template <class Draw>
-std::vector<bool> covered_pixels(const World& world, const Camera& camera, Draw draw) {
+std::vector<bool> covered_pixels(const World& world, const Camera& camera, const DrawState& state,
+                                 Draw draw) {
   StreamBuffer stream(std::size_t{1} << 16);
   stream.begin_frame();
-  FramePlan plan;
-  plan.camera = camera;
-  const FrameParams frame = frame_params(world, plan, GroundLook{}, FieldLook{});
-  const StreamBuffer::Slice block = stream.write(&frame, sizeof(frame));
-  glBindBufferRange(GL_UNIFORM_BUFFER, 0, block.buffer, block.offset, sizeof(frame));
+  bind(stream, plain_blocks(world, camera));
   const RenderTarget target(camera.size_px, false);
   target.begin();
-  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
+  set_draw_state(state);
   draw(stream);
   std::vector<float> pixels(std::size_t{4} * camera.size_px.x * camera.size_px.y);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, target.resolved_framebuffer());

@@ -8,7 +8,6 @@
 
 #include "render/gl/render_target.h"
 #include "render/gl/stream_buffer.h"
-#include "render/light/light.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 #include "tests/render/things/covered_pixels.h"
@@ -22,7 +21,7 @@ class ObstaclePassTest : public HeadlessTest {
   std::vector<bool> covered(const Camera& camera, const StandingThings& things) {
     const World world = open_world(dark_ground_scene(folder_, false));
     pass_.set(things, HeightField());
-    return covered_pixels(world, camera, [&](StreamBuffer&) {
+    return covered_pixels(world, camera, ObstaclePass::kState, [&](StreamBuffer&) {
       pass_.prepare(camera);
       pass_.draw();
     });

@@ -11,7 +11,6 @@
 
 #include "render/frame/renderer.h"
 #include "render/gl/render_target.h"
-#include "render/light/light.h"
 #include "render/things/shapes/solid_mesh.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
@@ -51,7 +50,7 @@ class SolidPassTest : public HeadlessTest {
   /// Which pixels a solid on its own covers, rows from the top.
   std::vector<bool> covered(const World& world, const Camera& camera, const DrawnSolid& solid) {
     SolidPass pass(PRAIRIE_TEST_SHADERS);
-    return covered_pixels(world, camera, [&](StreamBuffer& stream) {
+    return covered_pixels(world, camera, SolidPass::kState, [&](StreamBuffer& stream) {
       pass.prepare(stream, {&solid, 1}, camera);
       pass.draw();
     });

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "render/gl/render_target.h"
-#include "render/light/light.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
 #include "tests/render/things/covered_pixels.h"
@@ -22,7 +21,7 @@ class WalkerPassTest : public HeadlessTest {
   /// Which pixels walkers on their own cover, rows from the top.
   std::vector<bool> covered(const Camera& camera, std::span<const WalkerLook> walkers) {
     const World world = open_world(dark_ground_scene(folder_, false));
-    return covered_pixels(world, camera, [&](StreamBuffer& stream) {
+    return covered_pixels(world, camera, WalkerPass::kState, [&](StreamBuffer& stream) {
       pass_.prepare(stream, walkers, camera, 0.3f);
       pass_.draw();
     });
