@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/commands/commands.h"
@@ -16,6 +15,7 @@
 #include "app/terminal/usage_error.h"
 #include "bench/bench.h"
 #include "files/error.h"
+#include "files/json_text.h"
 #include "render/gl/context.h"
 
 namespace prairie {
@@ -53,17 +53,17 @@ std::string headless_renderer_name(const std::optional<std::string>& device) {
 
 void print_json(const std::vector<Measurement>& measurements, const std::string& machine,
                 const std::string& renderer) {
-  nlohmann::ordered_json json;
+  JsonObject json;
   for (const Measurement& measurement : measurements) {
     if (measurement.note.empty()) {
-      json[measurement.name] = measurement.value;
+      json.push_back({measurement.name, measurement.value});
     } else {
-      json[measurement.name] = measurement.note;
+      json.push_back({measurement.name, measurement.note});
     }
   }
-  json["machine"] = machine;
-  json["renderer"] = renderer;
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  json.push_back({"machine", machine});
+  json.push_back({"renderer", renderer});
+  fmt::print("{}\n", json_text(json));
 }
 
 void print_table(const std::vector<Measurement>& measurements, const std::string& machine,

@@ -4,7 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/scene_options.h"
-#include "app/scenes/info.h"
+#include "app/scenes/info_formats.h"
 #include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
 

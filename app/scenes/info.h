@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,8 +47,5 @@ struct SceneReport {
 };
 
 SceneReport describe_scene(const World& world);
-
-void print_text(const SceneReport& report, std::ostream& out);
-void print_json(const SceneReport& report, std::ostream& out);
 
 }  // namespace prairie

@@ -1,10 +1,9 @@
-#include "app/scenes/info.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/scenes/info_formats.h"
 #include "tests/world/scene_texts.h"
 
 namespace prairie {
