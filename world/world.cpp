@@ -110,6 +110,9 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
 
+World::World(World&&) noexcept = default;
+World::~World() = default;
+
 void World::watch_anew(glm::dvec2 eye_m) {
   motion_->watch_anew(eye_m);
   std::vector<Solid> solids;

@@ -36,6 +36,9 @@ class World {
   /// camera gets one named "default". Throws BadInput, OverBudget.
   World(Scene scene, const WorldOptions& options);
 
+  World(World&&) noexcept;
+  ~World();
+
   const Scene& scene() const { return scene_; }
   /// What is planted: ground, species, density and feature maps, seed, tile grid.
   const Meadow& meadow() const { return meadow_; }

@@ -13,9 +13,10 @@
 #include "app/outputs/recording.h"
 #include "app/scenes/camera_path.h"
 #include "lod/frame_plan.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 struct ClipOptions {
   ClipFormat format;

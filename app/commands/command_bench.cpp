@@ -1,6 +1,5 @@
 // `prairie bench`: measurements of this machine, as a table or as JSON.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include "app/terminal/usage_error.h"
 #include "bench/bench.h"
 #include "files/error.h"
+#include "files/joined.h"
 #include "files/json_text.h"
 #include "render/gl/context.h"
 
@@ -98,7 +98,7 @@ int measure(const BenchCommandOptions& options, const GlobalOptions& globals) {
   if (chosen_bench_names(options.prefix).empty()) {
     const std::vector<std::string> names = bench_names();
     throw UsageError("NAME", options.prefix + did_you_mean(options.prefix, names),
-                     fmt::format("the beginning of one of {}", fmt::join(names, ", ")));
+                     "the beginning of one of " + joined(names, ", "));
   }
   const std::vector<Measurement> measurements = run_benches(options.prefix, bench_options);
   const auto print = options.json ? print_json : print_table;

@@ -24,6 +24,7 @@
 #include "generator/plant.h"
 #include "render/frame/renderer.h"
 #include "render/gl/context.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -1,5 +1,5 @@
 // `prairie info`: the command line of app/scenes/info.h.
-#include <iostream>
+#include <cstdio>
 #include <memory>
 
 #include "app/commands/commands.h"
@@ -7,6 +7,7 @@
 #include "app/scenes/info_formats.h"
 #include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -19,7 +20,7 @@ struct InfoOptions {
 int print_info(const InfoOptions& options, GlobalOptions globals) {
   globals.quiet = true;  // the report itself holds the warnings
   const SceneReport report = describe_scene(open_world(options.folder, globals));
-  options.json ? print_json(report, std::cout) : print_text(report, std::cout);
+  std::fputs((options.json ? info_json(report) : info_text(report)).c_str(), stdout);
   return kExitFine;
 }
 

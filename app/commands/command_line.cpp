@@ -1,7 +1,6 @@
 #include "app/commands/command_line.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "app/terminal/exit_code.h"
 #include "app/terminal/option_values.h"
 #include "app/terminal/usage_error.h"
+#include "files/joined.h"
 #include "render/gl/context.h"
 
 namespace prairie {
@@ -127,7 +127,7 @@ UsageError unknown_word(const CLI::App& app, const std::string& word) {
   }
   if (!parsed.empty()) return {parsed.front()->get_name(), word, "no further argument"};
   const std::vector<std::string> names = command_names(app);
-  return {"", word + did_you_mean(word, names), fmt::format("one of {}", fmt::join(names, ", "))};
+  return {"", word + did_you_mean(word, names), "one of " + joined(names, ", ")};
 }
 
 /// What CLI11 finds wrong with known options, in the words of the other errors.
@@ -172,7 +172,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   } else if (!parsed.empty()) {
     line.run = std::ranges::find(commands, parsed.front()->get_name(), &Command::name)->run;
   } else {
-    throw UsageError("", "no command", fmt::format("one of {}", fmt::join(command_names(app), ", ")));
+    throw UsageError("", "no command", "one of " + joined(command_names(app), ", "));
   }
   return line;
 }

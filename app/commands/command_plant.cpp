@@ -20,6 +20,7 @@
 #include "app/terminal/progress.h"
 #include "app/terminal/usage_error.h"
 #include "generator/plant.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -15,6 +15,7 @@
 #include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
 #include "app/terminal/progress.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -17,6 +17,7 @@
 #include "app/terminal/messages.h"
 #include "render/frame/renderer.h"
 #include "render/gl/context.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/viewer/actions.h"
 #include "app/viewer/key_help.h"
 #include "app/viewer/view.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

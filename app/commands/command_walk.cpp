@@ -29,6 +29,7 @@
 #include "app/terminal/progress.h"
 #include "app/terminal/usage_error.h"
 #include "app/viewer/view.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

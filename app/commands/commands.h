@@ -18,9 +18,6 @@ Command walk_command();
 Command bench_command();
 
 /// In the order of the program's help.
-inline std::vector<Command> all_commands() {
-  return {new_command(),   info_command(), render_command(), record_command(), export_command(),
-          plant_command(), view_command(), walk_command(),   bench_command()};
-}
+std::vector<Command> all_commands();
 
 }  // namespace prairie

@@ -9,6 +9,7 @@
 #include "app/terminal/usage_error.h"
 #include "files/input_file.h"
 #include "world/state_file.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

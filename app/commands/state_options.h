@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 struct StateOptions {
   std::optional<double> time_s;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/outputs/video_file.h"
-#include "render/frame/renderer.h"
+#include "pictures/picture.h"
 
 namespace prairie {
 

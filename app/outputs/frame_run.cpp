@@ -8,6 +8,7 @@
 #include "app/outputs/trajectory_table.h"
 #include "app/scenes/world_time.h"
 #include "app/terminal/usage_error.h"
+#include "world/world.h"
 
 namespace prairie {
 

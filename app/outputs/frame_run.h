@@ -5,9 +5,10 @@
 #include "app/outputs/recording.h"
 #include "app/outputs/streamed_output.h"
 #include "app/terminal/progress.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 inline constexpr int kMostFramesPerS = 240;
 inline constexpr int kMostClipFrames = 100'000;       // as many as the five digits of a picture's name count

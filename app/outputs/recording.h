@@ -9,9 +9,11 @@
 #include "lod/camera.h"
 #include "render/frame/renderer.h"
 #include "render/gl/context.h"
-#include "world/world.h"
+#include "world/scene.h"
 
 namespace prairie {
+
+class World;
 
 /// What a clip shows.
 struct ClipView {

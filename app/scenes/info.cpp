@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/plant.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

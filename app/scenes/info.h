@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "world/world.h"
+#include "world/map_loading.h"
+#include "world/scene.h"
 
 namespace prairie {
+
+class World;
 
 struct SpeciesReport {
   std::string name;

@@ -1,11 +1,8 @@
 #include "app/scenes/info_formats.h"
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
-#include <fmt/ranges.h>
 
-#include <ostream>
-
+#include "files/joined.h"
 #include "files/json_text.h"
 
 namespace prairie {
@@ -98,40 +95,42 @@ JsonValue json_of(const std::vector<Described>& described) {
 
 }  // namespace
 
-void print_text(const SceneReport& report, std::ostream& out) {
-  fmt::print(out, "scene     {}\n", report.folder);
-  fmt::print(out, "hash      {:016x}, seed {}\n", report.scene_hash, report.seed);
-  fmt::print(out, "extent    {:.1f} × {:.1f} m{}\n", report.extent_m.x, report.extent_m.y,
-             report.repeats ? ", repeated endlessly" : "");
-  fmt::print(out, "tiles     {} × {} of {} m\n", report.tiles_east, report.tiles_north, report.tile_m);
-  fmt::print(out, "heights   {:.2f} to {:.2f} m\n", report.height_m.min_m, report.height_m.max_m);
+std::string info_text(const SceneReport& report) {
+  std::string text;
+  text += fmt::format("scene     {}\n", report.folder);
+  text += fmt::format("hash      {:016x}, seed {}\n", report.scene_hash, report.seed);
+  text += fmt::format("extent    {:.1f} × {:.1f} m{}\n", report.extent_m.x, report.extent_m.y,
+                      report.repeats ? ", repeated endlessly" : "");
+  text += fmt::format("tiles     {} × {} of {} m\n", report.tiles_east, report.tiles_north, report.tile_m);
+  text += fmt::format("heights   {:.2f} to {:.2f} m\n", report.height_m.min_m, report.height_m.max_m);
   if (report.geo_reference) {
-    fmt::print(out, "origin    {:.2f} east, {:.2f} north{}\n", report.geo_reference->west_m,
-               report.geo_reference->south_m,
-               names_coordinate_system(*report.geo_reference) ? "" : ", coordinate system unknown");
+    text += fmt::format("origin    {:.2f} east, {:.2f} north{}\n", report.geo_reference->west_m,
+                        report.geo_reference->south_m,
+                        names_coordinate_system(*report.geo_reference) ? "" : ", coordinate system unknown");
   }
   for (const SpeciesReport& species : report.species) {
-    fmt::print(out, "species   {}: {:.0f} blades expected, {:.1f} per m²\n", species.name,
-               species.expected_blades, species.mean_per_m2);
+    text += fmt::format("species   {}: {:.0f} blades expected, {:.1f} per m²\n", species.name,
+                        species.expected_blades, species.mean_per_m2);
   }
-  fmt::print(out, "blades    {:.0f} expected\n", report.expected_blades);
+  text += fmt::format("blades    {:.0f} expected\n", report.expected_blades);
   for (const LoadedMap& map : report.maps) {
-    fmt::print(out, "map       {} = {}: {} × {} nodes, {} m apart, {}\n", map.field,
-               map.file.filename().string(), map.frame.columns, map.frame.rows, map.frame.spacing_m,
-               map.in_memory ? readable_bytes(map.memory_bytes) : "read from disk as needed");
+    text += fmt::format("map       {} = {}: {} × {} nodes, {} m apart, {}\n", map.field,
+                        map.file.filename().string(), map.frame.columns, map.frame.rows, map.frame.spacing_m,
+                        map.in_memory ? readable_bytes(map.memory_bytes) : "read from disk as needed");
   }
-  fmt::print(out, "memory    {} for maps\n", readable_bytes(report.map_memory_bytes));
-  fmt::print(out, "cameras   {}\n", fmt::join(report.cameras, ", "));
-  if (report.wind) fmt::print(out, "wind      {}\n", described(*report.wind));
-  if (report.conditions > 0) fmt::print(out, "grass     {} conditions come over it\n", report.conditions);
+  text += fmt::format("memory    {} for maps\n", readable_bytes(report.map_memory_bytes));
+  text += fmt::format("cameras   {}\n", joined(report.cameras, ", "));
+  if (report.wind) text += fmt::format("wind      {}\n", described(*report.wind));
+  if (report.conditions > 0) text += fmt::format("grass     {} conditions come over it\n", report.conditions);
   for (const MoverReport& mover : report.movers) {
-    fmt::print(out, "mover     {}: {}, {} m/s along {:.1f} m{}\n", mover.name, name_of(mover.kind),
-               mover.speed_m_per_s, mover.length_m, mover.loops ? ", round and round" : "");
+    text += fmt::format("mover     {}: {}, {} m/s along {:.1f} m{}\n", mover.name, name_of(mover.kind),
+                        mover.speed_m_per_s, mover.length_m, mover.loops ? ", round and round" : "");
   }
-  for (const std::string& warning : report.warnings) fmt::print(out, "warning   {}\n", warning);
+  for (const std::string& warning : report.warnings) text += fmt::format("warning   {}\n", warning);
+  return text;
 }
 
-void print_json(const SceneReport& report, std::ostream& out) {
+std::string info_json(const SceneReport& report) {
   const JsonObject json{{"folder", report.folder},
                         {"scene_hash", fmt::format("{:016x}", report.scene_hash)},
                         {"seed", report.seed},
@@ -151,7 +150,7 @@ void print_json(const SceneReport& report, std::ostream& out) {
                         {"movers", json_of(report.movers)},
                         {"geo_reference", json_of(report.geo_reference)},
                         {"warnings", json_array(report.warnings)}};
-  out << json_text(json) << '\n';  // paths may hold bytes that are no UTF-8
+  return json_text(json) + '\n';  // paths may hold bytes that are no UTF-8
 }
 
 }  // namespace prairie

@@ -1,15 +1,16 @@
 // What `prairie info` prints: the report on a scene as text for people, or as JSON for programs.
 #pragma once
 
-#include <iosfwd>
+#include <string>
 
 #include "app/scenes/info.h"
 
 namespace prairie {
 
-void print_text(const SceneReport& report, std::ostream& out);
+/// Lines.
+std::string info_text(const SceneReport& report);
 
 /// One object.
-void print_json(const SceneReport& report, std::ostream& out);
+std::string info_json(const SceneReport& report);
 
 }  // namespace prairie

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "world/world.h"
+
 namespace prairie {
 
 int steps_in(double interval_s) {

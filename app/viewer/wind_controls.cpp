@@ -8,6 +8,7 @@
 #include "animation/heading.h"
 #include "world/bearing.h"
 #include "world/scene_wind.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

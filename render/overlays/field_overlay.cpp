@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 

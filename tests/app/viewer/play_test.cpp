@@ -12,6 +12,8 @@
 #include <random>
 #include <string>
 
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 
