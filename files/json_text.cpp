@@ -1,6 +1,7 @@
 #include "files/json_text.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace prairie {
 namespace {
@@ -25,6 +26,24 @@ struct ToJson {
 };
 
 }  // namespace
+
+JsonValue::JsonValue(std::nullptr_t) {}
+JsonValue::JsonValue(bool truth) : value(truth) {}
+JsonValue::JsonValue(int number) : value(std::int64_t{number}) {}
+JsonValue::JsonValue(unsigned number) : value(std::uint64_t{number}) {}
+JsonValue::JsonValue(std::int64_t number) : value(number) {}
+JsonValue::JsonValue(std::uint64_t number) : value(number) {}
+JsonValue::JsonValue(float number) : value(double{number}) {}
+JsonValue::JsonValue(double number) : value(number) {}
+JsonValue::JsonValue(const char* text) : value(std::string(text)) {}
+JsonValue::JsonValue(std::string text) : value(std::move(text)) {}
+JsonValue::JsonValue(JsonArray array) : value(std::move(array)) {}
+JsonValue::JsonValue(JsonObject object) : value(std::move(object)) {}
+JsonValue::JsonValue(const JsonValue&) = default;
+JsonValue::JsonValue(JsonValue&&) noexcept = default;
+JsonValue& JsonValue::operator=(const JsonValue&) = default;
+JsonValue& JsonValue::operator=(JsonValue&&) noexcept = default;
+JsonValue::~JsonValue() = default;
 
 std::string json_text(const JsonValue& value) {
   constexpr int kIndent = 2;

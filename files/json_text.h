@@ -2,11 +2,9 @@
 // instead of a whole JSON library, which json_text.cpp alone needs.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,15 +16,23 @@ using JsonArray = std::vector<JsonValue>;
 using JsonObject = std::vector<JsonMember>;
 
 struct JsonValue {
-  JsonValue(std::nullptr_t = nullptr) {}
-  JsonValue(bool truth) : value(truth) {}
-  JsonValue(std::signed_integral auto number) : value(std::int64_t{number}) {}
-  JsonValue(std::unsigned_integral auto number) : value(std::uint64_t{number}) {}
-  JsonValue(std::floating_point auto number) : value(static_cast<double>(number)) {}
-  JsonValue(const char* text) : value(std::string(text)) {}
-  JsonValue(std::string text) : value(std::move(text)) {}
+  JsonValue(std::nullptr_t = nullptr);
+  JsonValue(bool truth);
+  JsonValue(int number);
+  JsonValue(unsigned number);
+  JsonValue(std::int64_t number);
+  JsonValue(std::uint64_t number);
+  JsonValue(float number);
+  JsonValue(double number);
+  JsonValue(const char* text);
+  JsonValue(std::string text);
   JsonValue(JsonArray array);
   JsonValue(JsonObject object);
+  JsonValue(const JsonValue&);
+  JsonValue(JsonValue&&) noexcept;
+  JsonValue& operator=(const JsonValue&);
+  JsonValue& operator=(JsonValue&&) noexcept;
+  ~JsonValue();
 
   std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, JsonArray, JsonObject>
       value;
@@ -36,9 +42,6 @@ struct JsonMember {
   std::string name;
   JsonValue value;
 };
-
-inline JsonValue::JsonValue(JsonArray array) : value(std::move(array)) {}
-inline JsonValue::JsonValue(JsonObject object) : value(std::move(object)) {}
 
 /// An array of what a JsonValue can be made of.
 template <typename Values>
