@@ -16,14 +16,13 @@ CommandOption clip_camera_option(ClipOptions& options) {
           .target = text_into(options.camera)};
 }
 
-CommandOption clip_path_option(ClipOptions& options, const std::string& help,
-                               const std::vector<std::string>& needs) {
+CommandOption clip_path_option(ClipOptions& options, const std::string& help, const char* needs) {
   return {.names = "--path",
           .type = "FILE.csv",
           .help = help,
           .target = text_into(options.path),
           .needs = needs,
-          .excludes = {"--camera"}};
+          .excludes = "--camera"};
 }
 
 CommandOption clip_duration_option(ClipOptions& options, const std::string& help) {

@@ -33,8 +33,7 @@ struct ClipOptions {
 /// `--camera`
 CommandOption clip_camera_option(ClipOptions& options);
 /// `--path`, for a line with `--camera` before it
-CommandOption clip_path_option(ClipOptions& options, const std::string& help,
-                               const std::vector<std::string>& needs = {});
+CommandOption clip_path_option(ClipOptions& options, const std::string& help, const char* needs = nullptr);
 /// `--duration`
 CommandOption clip_duration_option(ClipOptions& options, const std::string& help);
 /// `--fps`

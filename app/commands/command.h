@@ -12,14 +12,14 @@
 namespace prairie {
 
 struct CommandOption {
-  std::string names;      // "--tier", "-o,--output"; without dashes, an argument known by its place
-  std::string type = {};  // of its value, as help shows it; flags have none
+  const char* names;      // "--tier", "-o,--output"; without dashes, an argument known by its place
+  const char* type = "";  // of its value, as help shows it; flags have none
   std::string help = {};
   OptionTarget target;
   bool is_required = false;
-  bool is_hidden = false;                  // in help
-  std::vector<std::string> needs = {};     // names of options before it that must be there, too
-  std::vector<std::string> excludes = {};  // names of options before it that must not
+  bool is_hidden = false;          // in help
+  const char* needs = nullptr;     // the name of an option before it that must be there, too
+  const char* excludes = nullptr;  // the name of an option before it that must not
 };
 
 struct Command {

@@ -62,7 +62,8 @@ CLI::Option* add_option(CLI::App& app, const CommandOption& option) {
         ->type_name(option.type)
         ->allow_extra_args(false);
   }
-  const std::string last_name = option.names.substr(option.names.rfind(',') + 1);
+  const std::string_view names = option.names;
+  const std::string last_name(names.substr(names.rfind(',') + 1));
   const auto take = [last_name, target = std::get<TextTarget>(option.target)](const std::string& text) {
     target(last_name, text);
   };
@@ -74,8 +75,8 @@ void add_options(CLI::App& app, const std::vector<CommandOption>& options) {
     CLI::Option* added = add_option(app, option);
     added->required(option.is_required);
     if (option.is_hidden) added->group("");
-    for (const std::string& needed : option.needs) added->needs(app.get_option(needed));
-    for (const std::string& excluded : option.excludes) added->excludes(app.get_option(excluded));
+    if (option.needs) added->needs(app.get_option(option.needs));
+    if (option.excludes) added->excludes(app.get_option(option.excludes));
   }
 }
 

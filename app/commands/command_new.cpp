@@ -55,17 +55,17 @@ std::vector<CommandOption> density_options(NewOptions& options) {
        .type = "LO,HI",
        .help = "Raster values of density 0 and of the largest density (0,1 or the type's full range)",
        .target = parsed_into(options.density.range, range_option),
-       .needs = {"--density"}},
+       .needs = "--density"},
       {.names = "--density-curve",
        .type = "G",
        .help = "Exponent G of density = N · clamp((v − LO)/(HI − LO), 0, 1)^G (1)",
        .target = number_into(options.density.curve, 0.01, 100.0),
-       .needs = {"--density"}},
+       .needs = "--density"},
       {.names = "--density-max",
        .type = "N",
        .help = "Blades per m² at the top of the range (1000)",
        .target = number_into(options.density.max_per_m2, 0.0, 1e5),
-       .needs = {"--density"}},
+       .needs = "--density"},
   };
 }
 
@@ -89,7 +89,7 @@ Command new_command() {
        .type = "LO,HI",
        .help = "Heights in metres of an integer raster's 0 and largest value",
        .target = parsed_into(request.height_range_m, range_option),
-       .needs = {"--height"}},
+       .needs = "--height"},
       {.names = "--spacing",
        .type = "METRES",
        .help = "Metres between the pixels of the height raster (without one, the density raster's), where it "

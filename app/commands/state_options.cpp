@@ -8,6 +8,7 @@
 #include "app/scenes/world_time.h"
 #include "app/terminal/usage_error.h"
 #include "files/input_file.h"
+#include "world/motion.h"
 #include "world/state_file.h"
 #include "world/world.h"
 
