@@ -12,6 +12,7 @@
 
 #include "files/error.h"
 #include "files/little_endian.h"
+#include "world/motion.h"
 
 namespace prairie {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "world/motion.h"
 #include "world/world.h"
 
 namespace prairie {

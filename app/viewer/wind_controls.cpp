@@ -7,6 +7,7 @@
 
 #include "animation/heading.h"
 #include "world/bearing.h"
+#include "world/motion.h"
 #include "world/scene_wind.h"
 #include "world/world.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "world/motion.h"
 #include "world/world.h"
 
 namespace prairie {

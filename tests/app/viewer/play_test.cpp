@@ -12,6 +12,7 @@
 #include <random>
 #include <string>
 
+#include "world/motion.h"
 #include "world/world.h"
 
 namespace prairie {

@@ -7,6 +7,7 @@
 
 #include "render/frame/renderer.h"
 #include "tests/render/headless_test.h"
+#include "world/motion.h"
 
 namespace prairie {
 namespace {

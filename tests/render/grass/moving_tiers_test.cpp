@@ -11,6 +11,7 @@
 #include "lod/sward/tip_share.h"
 #include "render/frame/renderer.h"
 #include "tests/render/headless_test.h"
+#include "world/motion.h"
 #include "world/scene_wind.h"
 
 namespace prairie {
