@@ -8,6 +8,7 @@
 #include "render/frame/renderer.h"
 #include "tests/render/headless_test.h"
 #include "world/motion.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -13,6 +13,7 @@
 #include "tests/render/headless_test.h"
 #include "world/motion.h"
 #include "world/scene_wind.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
