@@ -12,6 +12,8 @@
 #include "bench/timing.h"
 #include "render/frame/renderer.h"
 #include "render/gl/context.h"
+#include "world/motion.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstddef>
 
+#include "world/motion.h"
+
 namespace prairie {
 
 WalkingEye::WalkingEye(const ScaleGround& ground, const ScaleVariant& variant, const BenchOptions& options)

@@ -9,6 +9,7 @@
 
 #include "files/error.h"
 #include "files/little_endian.h"
+#include "world/motion.h"
 #include "world/state_archive.h"
 #include "world/state_layout.h"
 

@@ -11,6 +11,7 @@
 #include "files/input_file.h"
 #include "world/camera_placement.h"
 #include "world/effort.h"
+#include "world/motion.h"
 #include "world/scene/scene_hash.h"
 #include "world/scene_wind.h"
 #include "world/state_file.h"
@@ -104,11 +105,14 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   maps_ = std::move(findings.maps);
   warnings_ = std::move(findings.warnings);
   for (const MoverSpec& spec : scene_.movers) movers_.emplace_back(spec.path);
-  motion_.emplace(scene_, meadow_);
+  motion_ = std::make_unique<Motion>(scene_, meadow_);
   if (options.gait) motion_hash_ = motion_hash_with(motion_hash_, *options.gait);
   crowd_ = crowd_of(scene_, meadow_, options.gait.value_or(recorded_gait()));
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
+
+World::World(World&&) noexcept = default;
+World::~World() = default;
 
 void World::watch_anew(glm::dvec2 eye_m) {
   motion_->watch_anew(eye_m);
@@ -150,6 +154,10 @@ void World::step(double wanted_s) {
   bodies.insert(bodies.end(), feet.begin(), feet.end());
   motion_->step(meadow_, ticks, bodies, solids);
   for (DrivenMover& driven : driven_) driven.before = driven.place;
+}
+
+double World::time_s() const {
+  return motion_->time_s();
 }
 
 void World::replay(std::vector<Track> tracks) {

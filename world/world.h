@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,10 +19,11 @@
 #include "generator/meadow.h"
 #include "maps/height_field.h"
 #include "world/map_loading.h"
-#include "world/motion.h"
 #include "world/scene/scene.h"
 
 namespace prairie {
+
+class Motion;
 
 struct WorldOptions {
   std::optional<std::uint64_t> seed;               // overrides the scene's
@@ -35,6 +37,9 @@ class World {
   /// map, to the first geo-referenced map); others have their south-west node at (0, 0). A scene without a
   /// camera gets one named "default". Throws BadInput, OverBudget.
   World(Scene scene, const WorldOptions& options);
+
+  World(World&&) noexcept;
+  ~World();
 
   const Scene& scene() const { return scene_; }
   /// What is planted: ground, species, density and feature maps, seed, tile grid.
@@ -84,7 +89,7 @@ class World {
 
   /// Advances the world, its movers included, by a step of more than zero and at most a tenth of a second.
   void step(double dt_s);
-  double time_s() const { return motion_->time_s(); }
+  double time_s() const;
 
   /// What time has moved, as the bytes of a state file (world/state_file.h). Throws OverBudget if those are
   /// too many.
@@ -105,7 +110,7 @@ class World {
   std::vector<DrivenMover> driven_;
   Crowd crowd_{recorded_gait()};
   std::optional<ReplayedWalkers> replay_;
-  std::optional<Motion> motion_;  // always there once constructed
+  std::unique_ptr<Motion> motion_;
 };
 
 }  // namespace prairie

@@ -1,12 +1,10 @@
 // `prairie bench`: measurements of this machine, as a table or as JSON.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/commands/commands.h"
@@ -16,6 +14,8 @@
 #include "app/terminal/usage_error.h"
 #include "bench/bench.h"
 #include "files/error.h"
+#include "files/joined.h"
+#include "files/json_text.h"
 #include "render/gl/context.h"
 
 namespace prairie {
@@ -53,17 +53,17 @@ std::string headless_renderer_name(const std::optional<std::string>& device) {
 
 void print_json(const std::vector<Measurement>& measurements, const std::string& machine,
                 const std::string& renderer) {
-  nlohmann::ordered_json json;
+  JsonObject json;
   for (const Measurement& measurement : measurements) {
     if (measurement.note.empty()) {
-      json[measurement.name] = measurement.value;
+      json.push_back({measurement.name, measurement.value});
     } else {
-      json[measurement.name] = measurement.note;
+      json.push_back({measurement.name, measurement.note});
     }
   }
-  json["machine"] = machine;
-  json["renderer"] = renderer;
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  json.push_back({"machine", machine});
+  json.push_back({"renderer", renderer});
+  fmt::print("{}\n", json_text(json));
 }
 
 void print_table(const std::vector<Measurement>& measurements, const std::string& machine,
@@ -98,7 +98,7 @@ int measure(const BenchCommandOptions& options, const GlobalOptions& globals) {
   if (chosen_bench_names(options.prefix).empty()) {
     const std::vector<std::string> names = bench_names();
     throw UsageError("NAME", options.prefix + did_you_mean(options.prefix, names),
-                     fmt::format("the beginning of one of {}", fmt::join(names, ", ")));
+                     "the beginning of one of " + joined(names, ", "));
   }
   const std::vector<Measurement> measurements = run_benches(options.prefix, bench_options);
   const auto print = options.json ? print_json : print_table;
@@ -108,23 +108,25 @@ int measure(const BenchCommandOptions& options, const GlobalOptions& globals) {
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("bench", "Measures this machine, in about two minutes");
-  auto options = std::make_shared<BenchCommandOptions>();
-  command
-      ->add_option("NAME", options->prefix,
-                   "The beginning of the keys to measure (all but those that take minutes)")
-      ->type_name("");
-  command->add_flag("--json", options->json, "Print one flat JSON object");
-  command->add_flag("--details", options->details, "Tell of single cases on stderr");
-  command->add_option("--child", options->child_folder)->group("");  // for its own child processes
-  command->footer(
+Command bench_command() {
+  const auto options = std::make_shared<BenchCommandOptions>();
+  Command command{"bench", "Measures this machine, in about two minutes"};
+  command.options = {
+      {.names = "NAME",
+       .help = "The beginning of the keys to measure (all but those that take minutes)",
+       .target = text_into(options->prefix)},
+      {.names = "--json", .help = "Print one flat JSON object", .target = &options->json},
+      {.names = "--details", .help = "Tell of single cases on stderr", .target = &options->details},
+      // For its own child processes.
+      {.names = "--child", .type = "TEXT", .target = text_into(options->child_folder), .is_hidden = true},
+  };
+  command.footer =
       "Examples:\n"
       "  prairie bench\n"
       "  prairie bench scale.frame --details\n"
-      "  prairie bench planting --json");
-  command->callback(
-      [options, &globals, &chosen] { chosen = [options, &globals] { return measure(*options, globals); }; });
+      "  prairie bench planting --json";
+  command.run = [options](const GlobalOptions& globals) { return measure(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

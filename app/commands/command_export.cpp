@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
 #include "app/outputs/export_manifest.h"
 #include "app/outputs/outputs.h"
@@ -23,6 +24,7 @@
 #include "generator/plant.h"
 #include "render/frame/renderer.h"
 #include "render/gl/context.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -36,7 +38,6 @@ struct ExportOptions {
   std::optional<glm::dvec3> lod_eye_m;
   glm::ivec2 size_px{512, 512};
   int samples = 1;
-  std::optional<double> time_s;
   StateOptions state;
 };
 
@@ -55,21 +56,21 @@ void sort_and_thin(std::vector<Value>& values) {
   values.erase(repeated.begin(), repeated.end());
 }
 
-std::vector<TileView> views_option(const std::string& text) {
+std::vector<TileView> views_option(const std::string& option, const std::string& text) {
   std::vector<std::string> names;
   for (const TileView view : kTileViews) names.emplace_back(tile_view_name(view));
   std::vector<TileView> views;
   for (const std::string& name : split(text, ',')) {
-    choice_option("--views", name, names);
+    choice_option(option, name, names);
     views.push_back(*std::ranges::find(kTileViews, name, tile_view_name));
   }
   sort_and_thin(views);
   return views;
 }
 
-std::vector<Tier> tiers_option(const std::string& text) {
+std::vector<Tier> tiers_option(const std::string& option, const std::string& text) {
   std::vector<Tier> tiers;
-  for (const std::string& name : split(text, ',')) tiers.push_back(tier_option("--tiers", name));
+  for (const std::string& name : split(text, ',')) tiers.push_back(tier_option(option, name));
   sort_and_thin(tiers);
   return tiers;
 }
@@ -113,8 +114,7 @@ int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
   const std::vector<Shot> shots = all_shots(chosen_tiles(options.tiles, world.meadow()), options);
 
   const double tallest_m = tallest_blade_m(world.meadow());  // once: it reads a whole map
-  load_asked_state(options.state, world);
-  advance_to_asked_time(options.time_s, world);
+  begin_as_asked(options.state, world);
   save_asked_state(options.state, world);
 
   const HeadlessContext context(globals.device);
@@ -149,46 +149,39 @@ int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
 
 }  // namespace
 
-void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("export", "Makes pictures of single tiles, and a manifest of them");
-  auto options = std::make_shared<ExportOptions>();
-  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
-  command->add_option("-o,--output", options->output, "The folder for the pictures; made where it is missing")
-      ->required()
-      ->type_name("OUT");
-  command
-      ->add_option_function<std::string>(
-          "--tiles", [options](const std::string& text) { options->tiles = tiles_option("--tiles", text); },
-          "From tile i0,j0 to i1,j1, both inclusive; 0,0 is south-west, i east, j north (all)")
-      ->type_name("i0,j0,i1,j1");
-  command
-      ->add_option_function<std::string>(
-          "--views", [options](const std::string& text) { options->views = views_option(text); },
-          "Some of top, oblique, eye (all)")
-      ->type_name("VIEW,…");
-  command
-      ->add_option_function<std::string>(
-          "--lod-eye",
-          [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
-          "Tiers are chosen for an eye there, in metres (each camera's)")
-      ->type_name("X,Y,Z");
-  command
-      ->add_option_function<std::string>(
-          "--tiers", [options](const std::string& text) { options->tiers = tiers_option(text); },
-          "Some of auto, spline, hermite, strip, flat (auto)")
-      ->type_name("TIER,…");
-  add_size_option(*command, options->size_px);
-  add_samples_option(*command, options->samples);
-  add_time_option(*command, options->time_s);
-  add_state_options(*command, options->state);
-  command->footer(
+Command export_command() {
+  const auto options = std::make_shared<ExportOptions>();
+  Command command{"export", "Makes pictures of single tiles, and a manifest of them"};
+  command.options = {
+      scene_folder_option(options->folder),
+      {.names = "-o,--output",
+       .type = "OUT",
+       .help = "The folder for the pictures; made where it is missing",
+       .target = text_into(options->output),
+       .is_required = true},
+      chosen_tiles_option(options->tiles),
+      {.names = "--views",
+       .type = "VIEW,…",
+       .help = "Some of top, oblique, eye (all)",
+       .target = parsed_into(options->views, views_option)},
+      lod_eye_option(options->lod_eye_m, "each camera's"),
+      {.names = "--tiers",
+       .type = "TIER,…",
+       .help = "Some of auto, spline, hermite, strip, flat (auto)",
+       .target = parsed_into(options->tiers, tiers_option)},
+      picture_size_option(options->size_px),
+      picture_samples_option(options->samples),
+      time_option(options->state),
+      load_state_option(options->state),
+      save_state_option(options->state),
+  };
+  command.footer =
       "Examples:\n"
       "  prairie export examples/meadow -o tiles\n"
       "  prairie export examples/meadow -o tiles --tiles 4,4,7,7 --views top,oblique --tiers hermite,flat\n"
-      "  prairie export examples/meadow -o tiles --tiles 8,8,8,8 --size 1024x768 --samples 8");
-  command->callback([options, &globals, &chosen] {
-    chosen = [options, &globals] { return export_tiles(*options, globals); };
-  });
+      "  prairie export examples/meadow -o tiles --tiles 8,8,8,8 --size 1024x768 --samples 8";
+  command.run = [options](const GlobalOptions& globals) { return export_tiles(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

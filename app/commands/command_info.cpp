@@ -1,11 +1,13 @@
 // `prairie info`: the command line of app/scenes/info.h.
-#include <iostream>
+#include <cstdio>
 #include <memory>
 
 #include "app/commands/commands.h"
-#include "app/scenes/info.h"
+#include "app/commands/scene_options.h"
+#include "app/scenes/info_formats.h"
 #include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -18,25 +20,25 @@ struct InfoOptions {
 int print_info(const InfoOptions& options, GlobalOptions globals) {
   globals.quiet = true;  // the report itself holds the warnings
   const SceneReport report = describe_scene(open_world(options.folder, globals));
-  options.json ? print_json(report, std::cout) : print_text(report, std::cout);
+  std::fputs((options.json ? info_json(report) : info_text(report)).c_str(), stdout);
   return kExitFine;
 }
 
 }  // namespace
 
-void add_info_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("info", "Tells what a scene is, in numbers, and what looks wrong with it");
-  auto options = std::make_shared<InfoOptions>();
-  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
-  command->add_flag("--json", options->json, "Print one JSON object");
-  command->footer(
+Command info_command() {
+  const auto options = std::make_shared<InfoOptions>();
+  Command command{"info", "Tells what a scene is, in numbers, and what looks wrong with it"};
+  command.options = {
+      scene_folder_option(options->folder),
+      {.names = "--json", .help = "Print one JSON object", .target = &options->json},
+  };
+  command.footer =
       "Examples:\n"
       "  prairie info examples/meadow\n"
-      "  prairie info examples/meadow --json | jq .expected_blades");
-  command->callback([options, &globals, &chosen] {
-    chosen = [options, &globals] { return print_info(*options, globals); };
-  });
+      "  prairie info examples/meadow --json | jq .expected_blades";
+  command.run = [options](const GlobalOptions& globals) { return print_info(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

@@ -1,49 +1,103 @@
 #include "app/commands/command_line.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/commands/commands.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/option_values.h"
 #include "app/terminal/usage_error.h"
+#include "files/joined.h"
 #include "render/gl/context.h"
 
 namespace prairie {
 namespace {
 
-void add_global_options(CLI::App& app, GlobalOptions& globals, bool& list_devices) {
-  const auto add = [&app](const std::string& name, const std::string& type,
-                          std::function<void(const std::string&)> set, const std::string& help) {
-    app.add_option_function<std::string>(name, set, help)->type_name(type);
+std::vector<CommandOption> global_options(GlobalOptions& globals, bool& lists_devices) {
+  return {
+      {.names = "--seed",
+       .type = "N",
+       .help = "Plant with this seed instead of the scene's",
+       .target = parsed_into(globals.seed, seed_option)},
+      {.names = "--threads",
+       .type = "N",
+       .help = "Use at most so many threads (all cores)",
+       .target = whole_number_into(globals.threads, 1, kMaxThreads)},
+      {.names = "--device",
+       .type = "DEVICE",
+       .help = "Draw on this device: a number or a part of a name that --list-devices shows",
+       .target = text_into(globals.device)},
+      {.names = "--list-devices",
+       .help = "List the devices that can draw without a window",
+       .target = &lists_devices},
+      {.names = "--max-memory",
+       .type = "BYTES",
+       .help = "Refuse what needs more, such as 512M or 4G (2G)",
+       .target = parsed_into(globals.max_memory_bytes, bytes_option)},
+      {.names = "--set",
+       .type = "KEY=VALUE",
+       .help = "Override a key of scene.toml, such as sun.elevation_deg=20; repeatable",
+       .target = &globals.overrides},
+      {.names = "-q,--quiet", .help = "Say nothing but errors", .target = &globals.quiet},
   };
-  add(
-      "--seed", "N", [&](const std::string& text) { globals.seed = seed_option("--seed", text); },
-      "Plant with this seed instead of the scene's");
-  add(
-      "--threads", "N",
-      [&](const std::string& text) { globals.threads = int_option("--threads", text, 1, kMaxThreads); },
-      "Use at most so many threads (all cores)");
-  add(
-      "--device", "DEVICE", [&](const std::string& text) { globals.device = text; },
-      "Draw on this device: a number or a part of a name that --list-devices shows");
-  app.add_flag("--list-devices", list_devices, "List the devices that can draw without a window");
-  add(
-      "--max-memory", "BYTES",
-      [&](const std::string& text) { globals.max_memory_bytes = bytes_option("--max-memory", text); },
-      "Refuse what needs more, such as 512M or 4G (2G)");
-  app.add_option("--set", globals.overrides,
-                 "Override a key of scene.toml, such as sun.elevation_deg=20; repeatable")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  app.add_flag("-q,--quiet", globals.quiet, "Say nothing but errors");
 }
 
-int print_devices() {
+int print_devices(const GlobalOptions&) {
   for (const std::string& device : list_devices()) fmt::print("{}\n", device);
   return kExitFine;
+}
+
+CLI::Option* add_option(CLI::App& app, const CommandOption& option) {
+  if (bool* const* flag = std::get_if<bool*>(&option.target))
+    return app.add_flag(option.names, **flag, option.help);
+  if (std::vector<std::string>* const* texts = std::get_if<std::vector<std::string>*>(&option.target)) {
+    return app.add_option(option.names, **texts, option.help)
+        ->type_name(option.type)
+        ->allow_extra_args(false);
+  }
+  const std::string_view names = option.names;
+  const std::string last_name(names.substr(names.rfind(',') + 1));
+  const auto take = [last_name, target = std::get<TextTarget>(option.target)](const std::string& text) {
+    target(last_name, text);
+  };
+  return app.add_option_function<std::string>(option.names, take, option.help)->type_name(option.type);
+}
+
+void add_options(CLI::App& app, const std::vector<CommandOption>& options) {
+  for (const CommandOption& option : options) {
+    CLI::Option* added = add_option(app, option);
+    added->required(option.is_required);
+    if (option.is_hidden) added->group("");
+    if (option.needs) added->needs(app.get_option(option.needs));
+    if (option.excludes) added->excludes(app.get_option(option.excludes));
+  }
+}
+
+void add_command(CLI::App& app, const Command& command) {
+  CLI::App* added = app.add_subcommand(command.name, command.summary);
+  add_options(*added, command.options);
+  added->footer(command.footer + "\nOptions of every command (--seed, --set, --quiet, …): prairie --help");
+}
+
+void describe_program(CLI::App& app) {
+  app.fallthrough();  // the global options may follow the command's name
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", std::string("prairie ") + PRAIRIE_VERSION);
+  app.footer(
+      "Examples:\n"
+      "  prairie new meadow\n"
+      "  prairie render meadow -o meadow.png\n"
+      "  prairie record meadow -o meadow.mp4\n"
+      "  prairie view meadow\n"
+      "Exit codes: 0 fine, 1 failure, 2 command line, 3 bad input, 4 no suitable OpenGL, 130 interrupted.\n"
+      "'prairie COMMAND --help' tells more.");
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -74,11 +128,13 @@ UsageError unknown_word(const CLI::App& app, const std::string& word) {
   }
   if (!parsed.empty()) return {parsed.front()->get_name(), word, "no further argument"};
   const std::vector<std::string> names = command_names(app);
-  return {"", word + did_you_mean(word, names), fmt::format("one of {}", fmt::join(names, ", "))};
+  return {"", word + did_you_mean(word, names), "one of " + joined(names, ", ")};
 }
 
 /// What CLI11 finds wrong with known options, in the words of the other errors.
-UsageError misused(const std::string& command, const CLI::ParseError& error) {
+UsageError misused(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  const std::string command = parsed.empty() ? "" : parsed.front()->get_name();
   const std::string complaint = error.what();
   const std::string_view required = " is required";
   if (complaint.ends_with(required)) {
@@ -89,47 +145,37 @@ UsageError misused(const std::string& command, const CLI::ParseError& error) {
 
 }  // namespace
 
-CommandLine::CommandLine()
-    : app_(std::make_unique<CLI::App>("Grows and renders grassland from density maps", "prairie")) {
-  app_->fallthrough();  // the global options may follow the command's name
-  app_->require_subcommand(0, 1);
-  app_->set_version_flag("--version", std::string("prairie ") + PRAIRIE_VERSION);
-  app_->footer(
-      "Examples:\n"
-      "  prairie new meadow\n"
-      "  prairie render meadow -o meadow.png\n"
-      "  prairie record meadow -o meadow.mp4\n"
-      "  prairie view meadow\n"
-      "Exit codes: 0 fine, 1 failure, 2 command line, 3 bad input, 4 no suitable OpenGL, 130 interrupted.\n"
-      "'prairie COMMAND --help' tells more.");
-  add_global_options(*app_, globals, list_devices_);
-  for (const auto add_command :
-       {add_new_command, add_info_command, add_render_command, add_record_command, add_export_command,
-        add_plant_command, add_view_command, add_walk_command, add_bench_command}) {
-    add_command(*app_, globals, chosen);
-  }
-  for (CLI::App* command : app_->get_subcommands({})) {
-    command->footer(command->get_footer() +
-                    "\nOptions of every command (--seed, --set, --quiet, …): prairie --help");
-  }
-}
-
-void CommandLine::read(int argc, const char* const* argv) {
+CommandLine read_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  bool lists_devices = false;
+  const std::vector<Command> commands = all_commands();
+  CLI::App app("Grows and renders grassland from density maps", "prairie");
+  describe_program(app);
+  add_options(app, global_options(line.globals, lists_devices));
+  for (const Command& command : commands) add_command(app, command);
   try {
-    app_->parse(argc, argv);
+    app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help or --version
-    chosen = [this, asked] { return app_->exit(asked); };
-    return;
+    std::ostringstream text;
+    app.exit(asked, text);
+    line.run = [text = text.str()](const GlobalOptions&) {
+      std::fputs(text.c_str(), stdout);
+      return kExitFine;
+    };
+    return line;
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> unknown = app_->remaining(true);
-    if (!unknown.empty()) throw unknown_word(*app_, unknown.front());
-    const std::vector<CLI::App*> parsed = app_->get_subcommands();
-    throw misused(parsed.empty() ? "" : parsed.front()->get_name(), error);
+    const std::vector<std::string> unknown = app.remaining(true);
+    throw unknown.empty() ? misused(app, error) : unknown_word(app, unknown.front());
   }
-  if (list_devices_) chosen = print_devices;
-  if (!chosen) {
-    throw UsageError("", "no command", fmt::format("one of {}", fmt::join(command_names(*app_), ", ")));
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (lists_devices) {
+    line.run = print_devices;
+  } else if (!parsed.empty()) {
+    line.run = std::ranges::find(commands, parsed.front()->get_name(), &Command::name)->run;
+  } else {
+    throw UsageError("", "no command", "one of " + joined(command_names(app), ", "));
   }
+  return line;
 }
 
 }  // namespace prairie

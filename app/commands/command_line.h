@@ -2,28 +2,18 @@
 // understood.
 #pragma once
 
-#include <memory>
-#include <string>
+#include <functional>
 
-#include "app/commands/commands.h"
+#include "app/terminal/global_options.h"
 
 namespace prairie {
 
 struct CommandLine {
-  CommandLine();
-  CommandLine(const CommandLine&) = delete;
-  CommandLine& operator=(const CommandLine&) = delete;
-
-  /// Reads the line, after which `chosen` is what to run (help, version and lists of devices included).
-  /// Throws UsageError.
-  void read(int argc, const char* const* argv);
-
   GlobalOptions globals;
-  Command chosen;
-
- private:
-  bool list_devices_ = false;
-  std::unique_ptr<CLI::App> app_;
+  std::function<int(const GlobalOptions&)> run;  // of the command, help, version or list of devices asked for
 };
+
+/// Nothing runs while the line is still being read. Throws UsageError.
+CommandLine read_command_line(int argc, const char* const* argv);
 
 }  // namespace prairie

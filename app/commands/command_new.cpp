@@ -1,10 +1,13 @@
 // `prairie new`: the command line of app/scenes/new_scene.h.
 #include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "agents/crowd_spec.h"
 #include "app/commands/commands.h"
 #include "app/scenes/new_scene.h"
+#include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
 #include "app/terminal/option_values.h"
 #include "app/terminal/usage_error.h"
@@ -25,91 +28,87 @@ std::array<double, 2> range_option(const std::string& option, const std::string&
 
 struct NewOptions {
   NewSceneRequest request;
-  DensityRequest density;
+  std::optional<std::filesystem::path> density_file;
+  DensityRequest density;  // of that file, if there is one
 };
+
+int make_scene(const NewOptions& options, const GlobalOptions& globals) {
+  NewSceneRequest request = options.request;
+  if (options.density_file) {
+    request.density = options.density;
+    request.density->file = *options.density_file;
+  }
+  request.seed = globals.seed.value_or(request.seed);
+  request.memory_budget_bytes = globals.max_memory_bytes;
+  new_scene(request);
+  say_done("made " + request.folder.string(), globals.quiet);
+  return kExitFine;
+}
+
+std::vector<CommandOption> density_options(NewOptions& options) {
+  return {
+      {.names = "--density",
+       .type = "FILE",
+       .help = "Your own density raster",
+       .target = text_into(options.density_file)},
+      {.names = "--density-range",
+       .type = "LO,HI",
+       .help = "Raster values of density 0 and of the largest density (0,1 or the type's full range)",
+       .target = parsed_into(options.density.range, range_option),
+       .needs = "--density"},
+      {.names = "--density-curve",
+       .type = "G",
+       .help = "Exponent G of density = N · clamp((v − LO)/(HI − LO), 0, 1)^G (1)",
+       .target = number_into(options.density.curve, 0.01, 100.0),
+       .needs = "--density"},
+      {.names = "--density-max",
+       .type = "N",
+       .help = "Blades per m² at the top of the range (1000)",
+       .target = number_into(options.density.max_per_m2, 0.0, 1e5),
+       .needs = "--density"},
+  };
+}
 
 }  // namespace
 
-void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("new", "Makes a scene folder to start from");
-  auto options = std::make_shared<NewOptions>();
+Command new_command() {
+  const auto options = std::make_shared<NewOptions>();
   NewSceneRequest& request = options->request;
-  DensityRequest& density = options->density;
-  command->add_option("DIR", request.folder, "The folder to make")->required()->type_name("");
-  command->add_flag("--force", request.force, "Write into a folder that is not empty");
-  CLI::Option* height =
-      command->add_option("--height", request.height_file, "Your own height raster instead of made-up ground")
-          ->type_name("FILE");
-  command
-      ->add_option_function<std::string>(
-          "--height-range",
-          [&request](const std::string& text) {
-            request.height_range_m = range_option("--height-range", text);
-          },
-          "Heights in metres of an integer raster's 0 and largest value")
-      ->type_name("LO,HI")
-      ->needs(height);
-  command
-      ->add_option_function<std::string>(
-          "--spacing",
-          [&request](const std::string& text) {
-            request.height_spacing_m = number_option("--spacing", text, 1e-3, 1e4);
-          },
-          "Metres between the pixels of the height raster (without one, the density raster's), where it does "
-          "not say")
-      ->type_name("METRES");
-  command
-      ->add_option_function<std::string>(
-          "--walkers",
-          [&request](const std::string& text) {
-            request.walkers =
-                static_cast<std::uint32_t>(int_option("--walkers", text, 0, static_cast<int>(kMostWalkers)));
-          },
-          "So many people who wander there (0)")
-      ->type_name("N");
-  CLI::Option* density_file =
-      command->add_option("--density", density.file, "Your own density raster")->type_name("FILE");
-  command
-      ->add_option_function<std::string>(
-          "--density-range",
-          [&density](const std::string& text) { density.range = range_option("--density-range", text); },
-          "Raster values of density 0 and of the largest density (0,1 or the type's full range)")
-      ->type_name("LO,HI")
-      ->needs(density_file);
-  command
-      ->add_option_function<std::string>(
-          "--density-curve",
-          [&density](const std::string& text) {
-            density.curve = number_option("--density-curve", text, 0.01, 100.0);
-          },
-          "Exponent G of density = N · clamp((v − LO)/(HI − LO), 0, 1)^G (1)")
-      ->type_name("G")
-      ->needs(density_file);
-  command
-      ->add_option_function<std::string>(
-          "--density-max",
-          [&density](const std::string& text) {
-            density.max_per_m2 = number_option("--density-max", text, 0.0, 1e5);
-          },
-          "Blades per m² at the top of the range (1000)")
-      ->type_name("N")
-      ->needs(density_file);
-  command->footer(
+  Command command{"new", "Makes a scene folder to start from"};
+  command.options = {
+      {.names = "DIR",
+       .help = "The folder to make",
+       .target = text_into(request.folder),
+       .is_required = true},
+      {.names = "--force", .help = "Write into a folder that is not empty", .target = &request.force},
+      {.names = "--height",
+       .type = "FILE",
+       .help = "Your own height raster instead of made-up ground",
+       .target = text_into(request.height_file)},
+      {.names = "--height-range",
+       .type = "LO,HI",
+       .help = "Heights in metres of an integer raster's 0 and largest value",
+       .target = parsed_into(request.height_range_m, range_option),
+       .needs = "--height"},
+      {.names = "--spacing",
+       .type = "METRES",
+       .help = "Metres between the pixels of the height raster (without one, the density raster's), where it "
+               "does not say",
+       .target = number_into(request.height_spacing_m, 1e-3, 1e4)},
+      {.names = "--walkers",
+       .type = "N",
+       .help = "So many people who wander there (0)",
+       .target = whole_number_into(request.walkers, 0, static_cast<int>(kMostWalkers))},
+  };
+  for (CommandOption& option : density_options(*options)) command.options.push_back(std::move(option));
+  command.footer =
       "Examples:\n"
       "  prairie new meadow\n"
       "  prairie new park --walkers 50\n"
       "  prairie new hills --height dtm.tif\n"
-      "  prairie new konza --height dtm.tif --density ndvi.tif --density-range 0.2,0.9 --density-curve 1.5");
-  command->callback([options, density_file, &globals, &chosen] {
-    chosen = [options, density_file, &globals] {
-      if (density_file->count() > 0) options->request.density = options->density;
-      options->request.seed = globals.seed.value_or(options->request.seed);
-      options->request.memory_budget_bytes = globals.max_memory_bytes;
-      new_scene(options->request);
-      say_done("made " + options->request.folder.string(), globals.quiet);
-      return 0;
-    };
-  });
+      "  prairie new konza --height dtm.tif --density ndvi.tif --density-range 0.2,0.9 --density-curve 1.5";
+  command.run = [options](const GlobalOptions& globals) { return make_scene(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

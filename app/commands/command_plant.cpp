@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/commands/scene_options.h"
 #include "app/outputs/blade_table.h"
 #include "app/outputs/outputs.h"
 #include "app/outputs/streamed_output.h"
@@ -16,10 +17,10 @@
 #include "app/scenes/open_world.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
-#include "app/terminal/option_values.h"
 #include "app/terminal/progress.h"
 #include "app/terminal/usage_error.h"
 #include "generator/plant.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -131,28 +132,26 @@ int plant_tiles(const PlantOptions& options, const GlobalOptions& globals) {
 
 }  // namespace
 
-void add_plant_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("plant", "Writes the blades of tiles as CSV or PLY, or the tiles' hashes");
-  auto options = std::make_shared<PlantOptions>();
-  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
-  command->add_option("-o,--output", options->output, "A .csv or binary .ply file; - is stdout, as CSV")
-      ->required()
-      ->type_name("FILE");
-  command
-      ->add_option_function<std::string>(
-          "--tiles", [options](const std::string& text) { options->tiles = tiles_option("--tiles", text); },
-          "From tile i0,j0 to i1,j1, both inclusive; 0,0 is south-west, i east, j north (all)")
-      ->type_name("i0,j0,i1,j1");
-  command->add_flag("--hashes", options->hashes, "Text lines 'i j HASH' instead of blades");
-  command->footer(
+Command plant_command() {
+  const auto options = std::make_shared<PlantOptions>();
+  Command command{"plant", "Writes the blades of tiles as CSV or PLY, or the tiles' hashes"};
+  command.options = {
+      scene_folder_option(options->folder),
+      {.names = "-o,--output",
+       .type = "FILE",
+       .help = "A .csv or binary .ply file; - is stdout, as CSV",
+       .target = text_into(options->output),
+       .is_required = true},
+      chosen_tiles_option(options->tiles),
+      {.names = "--hashes", .help = "Text lines 'i j HASH' instead of blades", .target = &options->hashes},
+  };
+  command.footer =
       "Examples:\n"
       "  prairie plant examples/meadow -o blades.csv --tiles 4,4,5,5\n"
       "  prairie plant examples/meadow -o meadow.ply\n"
-      "  prairie plant examples/meadow -o - --hashes | sha256sum");
-  command->callback([options, &globals, &chosen] {
-    chosen = [options, &globals] { return plant_tiles(*options, globals); };
-  });
+      "  prairie plant examples/meadow -o - --hashes | sha256sum";
+  command.run = [options](const GlobalOptions& globals) { return plant_tiles(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
 #include "app/outputs/outputs.h"
 #include "app/outputs/picture_file.h"
@@ -14,9 +15,9 @@
 #include "app/scenes/world_time.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
-#include "app/terminal/option_values.h"
 #include "render/frame/renderer.h"
 #include "render/gl/context.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -30,7 +31,6 @@ struct RenderOptions {
   std::optional<glm::dvec3> lod_eye_m;
   bool tier_tint = false;
   int samples = 1;
-  std::optional<double> time_s;
   StateOptions state;
 };
 
@@ -41,8 +41,7 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   World world = open_world(options.folder, globals);
   const Camera camera = placed_camera(camera_option(options.camera, world), world, options.size_px);
 
-  load_asked_state(options.state, world);
-  advance_to_asked_time(options.time_s, world);
+  begin_as_asked(options.state, world);
   save_asked_state(options.state, world);
   world.watch_anew(watched_place_m(camera, world.meadow().ground));
   const HeadlessContext context(globals.device);
@@ -62,41 +61,41 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand("render", "Draws one picture, without a window");
-  auto options = std::make_shared<RenderOptions>();
-  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
-  command->add_option("-o,--output", options->output, "The picture: .png (8-bit sRGB) or .exr (linear float)")
-      ->required()
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--camera", options->camera,
-          "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees; z as +1.7 is above the "
-          "ground, yaw 0 looks north and turns clockwise, fov is vertical (default)")
-      ->type_name("NAME|NUMBERS");
-  add_size_option(*command, options->size_px);
-  add_tier_option(*command, options->tier);
-  command
-      ->add_option_function<std::string>(
-          "--lod-eye",
-          [options](const std::string& text) { options->lod_eye_m = place_option("--lod-eye", text); },
-          "Tiers are chosen for an eye there, in metres (the camera's)")
-      ->type_name("X,Y,Z");
-  add_samples_option(*command, options->samples);
-  add_time_option(*command, options->time_s);
-  add_state_options(*command, options->state);
-  command->add_flag("--tint", options->tier_tint,
-                    "Colour tiers: spline blades red, Hermite blades yellow, strips green, flat blue");
-  command->footer(
+Command render_command() {
+  const auto options = std::make_shared<RenderOptions>();
+  Command command{"render", "Draws one picture, without a window"};
+  command.options = {
+      scene_folder_option(options->folder),
+      {.names = "-o,--output",
+       .type = "FILE",
+       .help = "The picture: .png (8-bit sRGB) or .exr (linear float)",
+       .target = text_into(options->output),
+       .is_required = true},
+      {.names = "--camera",
+       .type = "NAME|NUMBERS",
+       .help =
+           "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees; z as +1.7 is above the "
+           "ground, yaw 0 looks north and turns clockwise, fov is vertical (default)",
+       .target = text_into(options->camera)},
+      picture_size_option(options->size_px),
+      picture_tier_option(options->tier),
+      lod_eye_option(options->lod_eye_m, "the camera's"),
+      picture_samples_option(options->samples),
+      time_option(options->state),
+      load_state_option(options->state),
+      save_state_option(options->state),
+      {.names = "--tint",
+       .help = "Colour tiers: spline blades red, Hermite blades yellow, strips green, flat blue",
+       .target = &options->tier_tint},
+  };
+  command.footer =
       "Examples:\n"
       "  prairie render examples/meadow -o meadow.png\n"
       "  prairie render examples/meadow -o low.png --camera 40,20,+0.5,30,-5 --size 1920x1080 --samples 8\n"
       "  prairie render examples/meadow -o linear.exr --tier flat --set sun.elevation_deg=12\n"
-      "  prairie render examples/meadow -o later.png --time 20 --save-state at20.state");
-  command->callback([options, &globals, &chosen] {
-    chosen = [options, &globals] { return render_picture(*options, globals); };
-  });
+      "  prairie render examples/meadow -o later.png --time 20 --save-state at20.state";
+  command.run = [options](const GlobalOptions& globals) { return render_picture(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

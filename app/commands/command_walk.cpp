@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -12,33 +11,30 @@
 #include "agents/gait_of_bvh.h"
 #include "agents/track_files.h"
 #include "agents/utm.h"
+#include "app/commands/clip_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
-#include "app/outputs/clip.h"
+#include "app/commands/window_options.h"
+#include "app/outputs/frame_run.h"
 #include "app/outputs/picture_file.h"
-#include "app/outputs/recording.h"
 #include "app/outputs/streamed_output.h"
-#include "app/outputs/trajectory_table.h"
 #include "app/scenes/camera_option.h"
 #include "app/scenes/camera_path.h"
 #include "app/scenes/open_world.h"
-#include "app/scenes/world_time.h"
 #include "app/terminal/exit_code.h"
 #include "app/terminal/messages.h"
 #include "app/terminal/option_values.h"
 #include "app/terminal/progress.h"
 #include "app/terminal/usage_error.h"
 #include "app/viewer/view.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
 
-constexpr double kLongestS = 86400.0;
-constexpr double kDefaultDurationS = 10.0;
-constexpr int kMostStepsPerS = 240;
 constexpr double kFarthestM = 1e6;
-constexpr int kMostFrames = 1'000'000;
 
 struct ReplayPlace {
   glm::dvec2 position_m{0.0};
@@ -47,24 +43,18 @@ struct ReplayPlace {
 
 struct WalkOptions {
   std::filesystem::path folder;
-  std::optional<double> duration_s;
-  std::filesystem::path record, trajectories, replay, gait, path;
+  ClipOptions clip;  // has no output where nothing is to be recorded
+  std::filesystem::path trajectories, replay, gait;
   std::optional<ReplayPlace> replay_at;
-  std::string camera = kDefaultCamera;
-  bool asks_for_camera = false;
-  StateOptions state;
-  std::optional<double> start_s;
-  int frames_per_s = 30;
-  glm::ivec2 size_px{1280, 720};
-  Tier tier = Tier::kAuto;
-  int samples = 1;
   ViewerOptions viewer;
 
-  bool is_headless() const { return duration_s || !record.empty() || !trajectories.empty() || state.save; }
+  bool records() const { return !clip.format.output.empty(); }
+  bool is_headless() const {
+    return clip.duration_s || records() || !trajectories.empty() || clip.state.save;
+  }
 };
 
-ReplayPlace replay_place(const std::string& text) {
-  const std::string option = "--replay-at";
+ReplayPlace replay_place_option(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 2 && parts.size() != 3)
     throw UsageError(option, text, "x,y[,deg]: metres, and degrees clockwise");
@@ -88,60 +78,51 @@ void replay(const WalkOptions& options, World& world) {
   world.replay(placed(std::move(tracks), place.position_m, place.turn_rad));
 }
 
-double duration_s(const WalkOptions& options, const World& world, const std::optional<CameraPath>& path) {
-  if (options.duration_s) return *options.duration_s;
-  if (path) return path->times_s.back();
-  return world.replayed() ? std::max(world.replayed()->last_s() - world.time_s(), 0.0) : kDefaultDurationS;
+int frames_of(const WalkOptions& options, const World& world, const std::optional<CameraPath>& path) {
+  const double otherwise_s =
+      world.replayed() ? std::max(world.replayed()->last_s() - world.time_s(), 0.0) : kUsualDurationS;
+  return frame_count(asked_duration_s(options.clip, path, otherwise_s), options.clip.format.frames_per_s,
+                     options.records() ? kMostClipFrames : kMostUndrawnFrames);
 }
 
 int walk_headless(const WalkOptions& options, const GlobalOptions& globals, World& world) {
-  std::optional<CameraPath> path;
-  if (!options.path.empty()) path = read_camera_path(options.path);
+  const ClipFormat& format = options.clip.format;
+  const std::optional<CameraPath> path = asked_camera_path(options.clip);
   std::optional<Clip> clip;
-  if (!options.record.empty()) {
-    check_picture_budget(options.size_px, globals.max_memory_bytes);
-    clip.emplace(ClipFormat{options.record, options.size_px, options.frames_per_s}, globals.threads);
+  if (options.records()) {
+    check_picture_budget(format.size_px, globals.max_memory_bytes);
+    clip.emplace(format, globals.threads);
   }
-  load_asked_state(options.state, world);
-  advance_to_asked_time(options.start_s, world);
-  const double start_s = world.time_s();
-  const double frames_asked =
-      std::max(std::round(duration_s(options, world, path) * options.frames_per_s), 1.0);
-  const int frames = static_cast<int>(frames_asked);
+  begin_as_asked(options.clip.state, world);
+  const int frames = frames_of(options, world, path);
   std::optional<Recording> recording;
-  if (clip) {
-    const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera, world);
-    recording.emplace(
-        *clip, ClipView{path, standing, options.size_px, options.frames_per_s, options.tier, options.samples},
-        globals, world);
-  }
+  if (clip) recording.emplace(*clip, asked_view(options.clip, path, world), globals, world);
   std::optional<StreamedOutput> table;
   if (!options.trajectories.empty()) table.emplace(options.trajectories);
-  if (table) table->write(trajectory_header());
-  // To a frame's time, seen and told as in it; past the last one neither.
-  const auto go_on_to = [&](int frame) {
-    if (frame < frames && recording) look_through(recording->camera(frame), world);
-    advance_to(world, start_s + static_cast<double>(frame) / options.frames_per_s);
-    if (frame < frames && table) table->write(trajectory_rows(world));
-  };
   {
     Progress progress("step", static_cast<std::uint64_t>(frames), globals.quiet);
-    go_on_to(0);
-    for (int frame = 0; frame < frames; ++frame) {
-      const auto go_on = [&] { go_on_to(frame + 1); };
-      if (recording) {
-        recording->add(frame, go_on);
-      } else {
-        go_on();
-      }
-      progress.advance();
-    }
+    run_frames(world, frames, format.frames_per_s,
+               {.recording = recording ? &*recording : nullptr, .trajectories = table ? &*table : nullptr},
+               progress);
   }
   if (clip) clip->finish();
   if (table) table->finish();
-  save_asked_state(options.state, world);
+  save_asked_state(options.clip.state, world);
   say_done(fmt::format("{} walkers went on to {:.2f} s", world.walkers().size(), world.time_s()),
            globals.quiet);
+  return kExitFine;
+}
+
+int walk_in_window(const WalkOptions& options, const GlobalOptions& globals, World& world) {
+  begin_as_asked(options.clip.state, world);
+  ViewerOptions viewer = options.viewer;
+  // Whoever asks for a camera looks through it; else the first walker is followed.
+  if (!options.clip.camera) viewer.follow = 0;
+  viewer.walker_overlay = true;
+  viewer.tier = options.clip.tier;
+  viewer.memory_budget_bytes = globals.max_memory_bytes;
+  const CameraSpec camera = camera_option(options.clip.camera_or_default(), world);
+  view_world(world, placed_camera(camera, world, options.clip.format.size_px), viewer);
   return kExitFine;
 }
 
@@ -153,103 +134,70 @@ int walk(const WalkOptions& options, const GlobalOptions& globals) {
   if (world.walkers().empty())
     throw BadInput((options.folder / kSceneFileName).string(), "walkers", "nobody who walks",
                    "a [[walkers]] group, or --replay");
-  if (options.is_headless()) return walk_headless(options, globals, world);
-  load_asked_state(options.state, world);
-  advance_to_asked_time(options.start_s, world);
-  ViewerOptions viewer = options.viewer;
-  // Whoever asks for a camera looks through it; else the first walker is followed.
-  if (!options.asks_for_camera) viewer.follow = 0;
-  viewer.walker_overlay = true;
-  viewer.tier = options.tier;
-  viewer.memory_budget_bytes = globals.max_memory_bytes;
-  view_world(world, placed_camera(camera_option(options.camera, world), world, options.size_px), viewer);
-  return kExitFine;
+  return options.is_headless() ? walk_headless(options, globals, world)
+                               : walk_in_window(options, globals, world);
 }
 
 }  // namespace
 
-void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "walk", "Lets a scene's walkers walk, in a window or, with --duration and the like, without");
-  auto options = std::make_shared<WalkOptions>();
-  command->add_option("DIR", options->folder, "The scene's folder")->required()->type_name("");
-  command
-      ->add_option_function<std::string>(
-          "--duration",
-          [options](const std::string& text) {
-            options->duration_s = number_option("--duration", text, 0.0, kLongestS);
-          },
-          "Without a window, for so many seconds (10, the path's, or all of the tracks)")
-      ->type_name("S");
-  command
-      ->add_option("--trajectories", options->trajectories,
-                   "Write where everybody is, each 1/fps s; - is stdout")
-      ->type_name("FILE.csv");
-  CLI::Option* record =
-      command
-          ->add_option("--record", options->record,
-                       "Draw a clip without a window: a video that ends in .mp4, or a folder of pictures")
-          ->type_name("FILE|FOLDER");
-  CLI::Option* replay =
-      command
-          ->add_option(
-              "--replay", options->replay,
-              "Walkers go along recorded tracks instead: CSV (time_s,id,x_m,y_m), UCY obsmat.txt or GPX")
-          ->type_name("FILE");
-  command
-      ->add_option_function<std::string>(
-          "--replay-at", [options](const std::string& text) { options->replay_at = replay_place(text); },
-          "Where the tracks' (0, 0) lies in the scene, and how far they are turned, clockwise")
-      ->type_name("x,y[,deg]")
-      ->needs(replay);
-  command->add_option("--gait", options->gait, "Walk as in this recorded motion")->type_name("FILE.bvh");
-  CLI::Option* camera =
-      command
-          ->add_option("--camera", options->camera,
-                       "Where it stands: a camera of the scene, or x,y,z,yaw,pitch[,fov] (default)")
-          ->type_name("NAME|NUMBERS");
-  command->add_option("--path", options->path, "Where the clip's camera goes, as for record")
-      ->type_name("FILE.csv")
-      ->needs(record)
-      ->excludes(camera);
-  command
-      ->add_option_function<std::string>(
-          "--fps",
-          [options](const std::string& text) {
-            options->frames_per_s = int_option("--fps", text, 1, kMostStepsPerS);
-          },
-          "Frames, and lines of each walker, a second (30)")
-      ->type_name("N");
-  add_time_option(*command, options->start_s);
-  add_state_options(*command, options->state);
-  add_size_option(*command, options->size_px);
-  add_tier_option(*command, options->tier);
-  add_samples_option(*command, options->samples);
-  command->add_flag("--msaa", options->viewer.msaa, "In the window: smooth edges with 4 samples per pixel");
-  command->add_flag("--paused", options->viewer.paused,
-                    "In the window: time stands still at first; P lets it go on");
-  // For tests, and for whoever wants a picture of what the window shows.
-  command
-      ->add_option_function<std::string>(
-          "--frames",
-          [options](const std::string& text) {
-            options->viewer.frames = int_option("--frames", text, 1, kMostFrames);
-          },
-          "Close after so many frames")
-      ->group("");
-  command->add_option("--screenshot", options->viewer.screenshot, "Save the last picture")->group("");
-  command->footer(
+Command walk_command() {
+  const auto options = std::make_shared<WalkOptions>();
+  ClipOptions& clip = options->clip;
+  Command command{"walk",
+                  "Lets a scene's walkers walk, in a window or, with --duration and the like, without"};
+  command.options = {
+      scene_folder_option(options->folder),
+      clip_duration_option(clip,
+                           "Without a window, for so many seconds (10, the path's, or all of the tracks)"),
+      {.names = "--trajectories",
+       .type = "FILE.csv",
+       .help = "Write where everybody is, each 1/fps s; - is stdout",
+       .target = text_into(options->trajectories)},
+      {.names = "--record",
+       .type = "FILE|FOLDER",
+       .help = "Draw a clip without a window: a video that ends in .mp4, or a folder of pictures",
+       .target = text_into(clip.format.output)},
+      {.names = "--replay",
+       .type = "FILE",
+       .help = "Walkers go along recorded tracks instead: CSV (time_s,id,x_m,y_m), UCY obsmat.txt or GPX",
+       .target = text_into(options->replay)},
+      {.names = "--replay-at",
+       .type = "x,y[,deg]",
+       .help = "Where the tracks' (0, 0) lies in the scene, and how far they are turned, clockwise",
+       .target = parsed_into(options->replay_at, replay_place_option),
+       .needs = "--replay"},
+      {.names = "--gait",
+       .type = "FILE.bvh",
+       .help = "Walk as in this recorded motion",
+       .target = text_into(options->gait)},
+      clip_camera_option(clip),
+      clip_path_option(clip, "Where the clip's camera goes, as for record", "--record"),
+      frame_rate_option(clip, "Frames, and lines of each walker, a second (30)"),
+      time_option(clip.state),
+      load_state_option(clip.state),
+      save_state_option(clip.state),
+      picture_size_option(clip.format.size_px),
+      picture_tier_option(clip.tier),
+      picture_samples_option(clip.samples),
+      {.names = "--msaa",
+       .help = "In the window: smooth edges with 4 samples per pixel",
+       .target = &options->viewer.msaa},
+      {.names = "--paused",
+       .help = "In the window: time stands still at first; P lets it go on",
+       .target = &options->viewer.paused},
+      window_frames_option(options->viewer),
+      window_screenshot_option(options->viewer),
+  };
+  command.footer =
       "Keys in the window are those of view.\n"
       "Examples:\n"
       "  prairie walk examples/walkers\n"
       "  prairie walk examples/walkers --duration 60 --trajectories walk.csv\n"
       "  prairie walk examples/walkers --record walk.mp4 --duration 8 --samples 4\n"
       "  prairie walk examples/walkers --replay obsmat.txt --replay-at 60,40,90 --duration 120 --save-state "
-      "end.state");
-  command->callback([options, camera, &globals, &chosen] {
-    options->asks_for_camera = camera->count() > 0;
-    chosen = [options, &globals] { return walk(*options, globals); };
-  });
+      "end.state";
+  command.run = [options](const GlobalOptions& globals) { return walk(*options, globals); };
+  return command;
 }
 
 }  // namespace prairie

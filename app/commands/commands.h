@@ -1,25 +1,23 @@
-// The commands of the program. Each adds itself to the command line and, once it has been chosen and all of
-// the line has been understood, stores what is to be run; nothing runs while the line is still being read.
+// The commands of the program, each in a file of its own.
 #pragma once
 
-#include <CLI/App.hpp>
-#include <functional>
+#include <vector>
 
-#include "app/terminal/global_options.h"
+#include "app/commands/command.h"
 
 namespace prairie {
 
-/// Returns the exit code.
-using Command = std::function<int()>;
+Command new_command();
+Command info_command();
+Command render_command();
+Command record_command();
+Command export_command();
+Command plant_command();
+Command view_command();
+Command walk_command();
+Command bench_command();
 
-void add_new_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_info_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_render_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_record_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_export_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_plant_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_view_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_walk_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
-void add_bench_command(CLI::App& app, const GlobalOptions& globals, Command& chosen);
+/// In the order of the program's help.
+std::vector<Command> all_commands();
 
 }  // namespace prairie

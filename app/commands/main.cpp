@@ -22,14 +22,13 @@ namespace {
 int run(int argc, const char* const* argv) {
   keep_freed_memory();
   watch_for_interruption();
-  CommandLine line;
-  line.read(argc, argv);
+  const CommandLine line = read_command_line(argc, argv);
   std::optional<tbb::global_control> thread_limit;
   if (line.globals.threads) {
     thread_limit.emplace(tbb::global_control::max_allowed_parallelism,
                          static_cast<std::size_t>(*line.globals.threads));
   }
-  const int exit_code = line.chosen();
+  const int exit_code = line.run(line.globals);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     throw OutputFailure("standard output", "", "a write error", "room to write");
   }

@@ -2,33 +2,34 @@
 
 #include <fmt/format.h>
 
-#include "app/terminal/option_values.h"
-
 namespace prairie {
 
-void add_size_option(CLI::App& command, glm::ivec2& size_px) {
-  command
-      .add_option_function<std::string>(
-          "--size", [&size_px](const std::string& text) { size_px = size_option("--size", text); },
-          fmt::format("Pixels ({}x{})", size_px.x, size_px.y))
-      ->type_name("WxH");
+CommandOption picture_size_option(glm::ivec2& size_px) {
+  return {.names = "--size",
+          .type = "WxH",
+          .help = fmt::format("Pixels ({}x{})", size_px.x, size_px.y),
+          .target = parsed_into(size_px, size_option)};
 }
 
-void add_samples_option(CLI::App& command, int& samples) {
-  command
-      .add_option_function<std::string>(
-          "--samples",
-          [&samples](const std::string& text) { samples = int_option("--samples", text, 1, kMaxSamples); },
-          "Frames averaged per picture, for smooth edges (1)")
-      ->type_name("N");
+CommandOption picture_samples_option(int& samples) {
+  return {.names = "--samples",
+          .type = "N",
+          .help = "Frames averaged per picture, for smooth edges (1)",
+          .target = whole_number_into(samples, 1, kMaxSamples)};
 }
 
-void add_tier_option(CLI::App& command, Tier& tier) {
-  command
-      .add_option_function<std::string>(
-          "--tier", [&tier](const std::string& text) { tier = tier_option("--tier", text); },
-          "How grass is drawn: auto, spline, hermite, strip or flat (auto)")
-      ->type_name("TIER");
+CommandOption picture_tier_option(Tier& tier) {
+  return {.names = "--tier",
+          .type = "TIER",
+          .help = "How grass is drawn: auto, spline, hermite, strip or flat (auto)",
+          .target = parsed_into(tier, tier_option)};
+}
+
+CommandOption lod_eye_option(std::optional<glm::dvec3>& lod_eye_m, const std::string& default_eye) {
+  return {.names = "--lod-eye",
+          .type = "X,Y,Z",
+          .help = fmt::format("Tiers are chosen for an eye there, in metres ({})", default_eye),
+          .target = parsed_into(lod_eye_m, place_option)};
 }
 
 }  // namespace prairie

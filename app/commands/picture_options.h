@@ -1,17 +1,23 @@
-// The options that all commands share that draw pictures without a window. What they set must live as long as
-// the command.
+// The options that commands share that draw pictures. What is set must live as long as the command.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
 
+#include "app/commands/command.h"
 #include "lod/frame_plan.h"
 
 namespace prairie {
 
 /// `--size`; the size that is there is the default.
-void add_size_option(CLI::App& command, glm::ivec2& size_px);
-void add_samples_option(CLI::App& command, int& samples);
-void add_tier_option(CLI::App& command, Tier& tier);
+CommandOption picture_size_option(glm::ivec2& size_px);
+/// `--samples`
+CommandOption picture_samples_option(int& samples);
+/// `--tier`
+CommandOption picture_tier_option(Tier& tier);
+/// `--lod-eye`; `default_eye` says whose eye it is otherwise.
+CommandOption lod_eye_option(std::optional<glm::dvec3>& lod_eye_m, const std::string& default_eye);
 
 }  // namespace prairie

@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <glm/vec3.hpp>
-#include <iterator>
 
 #include "generator/blade_identity.h"
 #include "generator/cell_table.h"
@@ -44,19 +43,19 @@ void append_bytes(std::string& bytes, Value value) {
 
 std::string csv_rows(const Meadow& meadow, TileId tile, std::span<const Blade> blades) {
   const glm::dvec3 origin_m(tile_origin_m(meadow, tile), tile_base_m(meadow, tile));
-  fmt::memory_buffer text;
+  std::string rows;
   for (const Blade& blade : blades) {
     const BladeIdentity identity = identity_of(blade);
     const glm::dvec3 root_m = origin_m + glm::dvec3(blade.root_m, blade.ground_m);
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{:.6f},{:.6f},{:.6f}", tile.i, tile.j,
-                   meadow.species[identity.species].species.name, identity.cell, identity.index, root_m.x,
-                   root_m.y, root_m.z);
+    rows += fmt::format("{},{},{},{},{},{:.6f},{:.6f},{:.6f}", tile.i, tile.j,
+                        meadow.species[identity.species].species.name, identity.cell, identity.index,
+                        root_m.x, root_m.y, root_m.z);
     for (const FloatColumn& column : kAttributes) {
-      fmt::format_to(std::back_inserter(text), ",{}", column.value(blade));
+      rows += fmt::format(",{}", column.value(blade));
     }
-    text.push_back('\n');
+    rows += '\n';
   }
-  return fmt::to_string(text);
+  return rows;
 }
 
 std::string ply_rows(const Meadow& meadow, TileId tile, std::span<const Blade> blades) {

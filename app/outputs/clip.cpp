@@ -41,28 +41,29 @@ std::filesystem::path frame_file(const std::filesystem::path& folder, int frame)
 
 }  // namespace
 
-Clip::Clip(const ClipFormat& format, const std::optional<int>& threads) : path_(format.output) {
-  if (is_video(format)) video_.emplace(path_, VideoFormat{format.size_px, format.frames_per_s, threads});
+Clip::Clip(const ClipFormat& format, const std::optional<int>& threads) : format_(format) {
+  if (is_video(format))
+    video_.emplace(format.output, VideoFormat{format.size_px, format.frames_per_s, threads});
 }
 
 void Clip::begin() {
-  if (!video_) make_output_folder(path_);
+  if (!video_) make_output_folder(format_.output);
 }
 
 void Clip::add(const Picture& picture) {
   if (video_) {
     video_->write(picture.srgb);
   } else {
-    write_output(frame_file(path_, frames_), encoded_picture(picture, PictureFormat::kPng));
+    write_output(frame_file(format_.output, frames_), encoded_picture(picture, PictureFormat::kPng));
   }
   ++frames_;
 }
 
 void Clip::finish() {
   if (video_) video_->finish();
-  if (!video_ && std::filesystem::exists(frame_file(path_, frames_)))
-    say_warning(
-        fmt::format("{}: frames of an earlier, longer clip follow those of this one", path_.string()));
+  if (!video_ && std::filesystem::exists(frame_file(format_.output, frames_)))
+    say_warning(fmt::format("{}: frames of an earlier, longer clip follow those of this one",
+                            format_.output.string()));
 }
 
 }  // namespace prairie

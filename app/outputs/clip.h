@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/outputs/video_file.h"
-#include "render/frame/renderer.h"
+#include "pictures/picture.h"
 
 namespace prairie {
 
@@ -27,8 +27,10 @@ class Clip {
   void add(const Picture& picture);
   void finish();
 
+  const ClipFormat& format() const { return format_; }
+
  private:
-  std::filesystem::path path_;
+  ClipFormat format_;
   std::optional<VideoFile> video_;
   int frames_ = 0;
 };

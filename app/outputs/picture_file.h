@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "render/frame/renderer.h"
+#include "pictures/picture.h"
 
 namespace prairie {
 

@@ -13,9 +13,9 @@ Recording::Recording(Clip& clip, const ClipView& view, const GlobalOptions& glob
 }
 
 Camera Recording::camera(int frame) const {
-  const double in_clip_s = static_cast<double>(frame) / view_.frames_per_s;
+  const double in_clip_s = static_cast<double>(frame) / clip_.format().frames_per_s;
   return placed_camera(view_.path ? camera_at(*view_.path, in_clip_s) : view_.standing, world_,
-                       view_.size_px);
+                       clip_.format().size_px);
 }
 
 void Recording::add(int frame, const Renderer::Meanwhile& meanwhile) {

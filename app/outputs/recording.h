@@ -1,7 +1,6 @@
 // Draws a clip of a world that goes on: each frame is drawn while the world goes on to the next one.
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <optional>
 
 #include "app/outputs/clip.h"
@@ -10,16 +9,16 @@
 #include "lod/camera.h"
 #include "render/frame/renderer.h"
 #include "render/gl/context.h"
-#include "world/world.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
+
+class World;
 
 /// What a clip shows.
 struct ClipView {
   std::optional<CameraPath> path;  // along which the camera goes
   CameraSpec standing;             // where it stands if there is none
-  glm::ivec2 size_px{1280, 720};
-  int frames_per_s = 30;
   Tier tier = Tier::kAuto;
   int samples = 1;
 };

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "world/world.h"
-
 namespace prairie {
+
+class World;
 
 /// The line of column names: time_s, id, x_m, y_m, z_m, heading_rad (from east, counter-clockwise),
 /// speed_m_per_s, d_m and theta_rad (distance of the nearest thing in sight from the walker's edge, and its

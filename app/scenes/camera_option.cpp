@@ -1,14 +1,13 @@
 #include "app/scenes/camera_option.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <glm/trigonometric.hpp>
 #include <vector>
 
 #include "app/terminal/option_values.h"
 #include "app/terminal/usage_error.h"
+#include "files/joined.h"
 #include "world/camera_placement.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -44,9 +43,8 @@ CameraSpec named_camera(const std::string& name, const World& world) {
   if (names.empty() && name == kDefaultCamera) return placed_camera_spec(world.meadow(), name);
   if (names.empty())
     throw UsageError(kOption, name, "x,y,z,yaw,pitch[,fov], since the scene names no camera");
-  throw UsageError(
-      kOption, name + did_you_mean(name, names),
-      fmt::format("x,y,z,yaw,pitch[,fov] or one of the scene's cameras: {}", fmt::join(names, ", ")));
+  throw UsageError(kOption, name + did_you_mean(name, names),
+                   "x,y,z,yaw,pitch[,fov] or one of the scene's cameras: " + joined(names, ", "));
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <string>
 
 #include "lod/camera.h"
-#include "world/world.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
+
+class World;
 
 /// The camera that is used where none is asked for.
 inline constexpr const char* kDefaultCamera = "default";

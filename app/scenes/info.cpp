@@ -1,15 +1,13 @@
 #include "app/scenes/info.h"
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
-#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <ostream>
+#include <utility>
 
 #include "generator/plant.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -65,58 +63,6 @@ std::vector<std::string> warnings_about(const SceneReport& report, double denses
   return warnings;
 }
 
-nlohmann::ordered_json json_of(const LoadedMap& map) {
-  return {{"field", map.field},
-          {"file", map.file.filename().string()},
-          {"columns", map.frame.columns},
-          {"rows", map.frame.rows},
-          {"channels", map.channels},
-          {"spacing_m", map.frame.spacing_m},
-          {"origin_m", {map.frame.origin_m.x, map.frame.origin_m.y}},
-          {"repeats", map.frame.repeats},
-          {"in_memory", map.in_memory},
-          {"memory_bytes", map.memory_bytes}};
-}
-
-// GeoTIFF keys come in fours after a header of four; 3072 names the projected coordinate system.
-bool names_coordinate_system(const GeoReference& reference) {
-  constexpr std::uint16_t kProjectedCoordinateSystem = 3072;
-  for (std::size_t k = 4; k + 3 < reference.geo_keys.size(); k += 4) {
-    if (reference.geo_keys[k] == kProjectedCoordinateSystem) return true;
-  }
-  return false;
-}
-
-const char* name_of(MoverKind kind) {
-  return kind == MoverKind::kStone ? "stone" : "cart";
-}
-
-std::string described(const WindSpec& wind) {
-  const std::string mean = wind.file
-                               ? wind.file->filename().string()
-                               : fmt::format("{} m/s towards {}°", wind.speed_m_per_s, wind.heading_deg);
-  return fmt::format("{}, turbulence {}, {} gusts, tornadoes and breezes", mean, wind.turbulence,
-                     wind.primitives.size());
-}
-
-nlohmann::ordered_json json_of(const WindSpec& wind) {
-  nlohmann::ordered_json json;
-  if (wind.file) {
-    json["file"] = wind.file->filename().string();
-  } else {
-    json["speed_m_per_s"] = wind.speed_m_per_s;
-    json["heading_deg"] = wind.heading_deg;
-  }
-  json["turbulence"] = wind.turbulence;
-  json["primitives"] = wind.primitives.size();
-  return json;
-}
-
-std::string readable_bytes(std::uint64_t bytes) {
-  constexpr double kMebibyte = 1024.0 * 1024.0;
-  return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / kMebibyte);
-}
-
 }  // namespace
 
 SceneReport describe_scene(const World& world) {
@@ -154,84 +100,6 @@ SceneReport describe_scene(const World& world) {
     report.warnings.push_back(std::move(warning));
   }
   return report;
-}
-
-void print_text(const SceneReport& report, std::ostream& out) {
-  fmt::print(out, "scene     {}\n", report.folder);
-  fmt::print(out, "hash      {:016x}, seed {}\n", report.scene_hash, report.seed);
-  fmt::print(out, "extent    {:.1f} × {:.1f} m{}\n", report.extent_m.x, report.extent_m.y,
-             report.repeats ? ", repeated endlessly" : "");
-  fmt::print(out, "tiles     {} × {} of {} m\n", report.tiles_east, report.tiles_north, report.tile_m);
-  fmt::print(out, "heights   {:.2f} to {:.2f} m\n", report.height_m.min_m, report.height_m.max_m);
-  if (report.geo_reference) {
-    fmt::print(out, "origin    {:.2f} east, {:.2f} north{}\n", report.geo_reference->west_m,
-               report.geo_reference->south_m,
-               names_coordinate_system(*report.geo_reference) ? "" : ", coordinate system unknown");
-  }
-  for (const SpeciesReport& species : report.species) {
-    fmt::print(out, "species   {}: {:.0f} blades expected, {:.1f} per m²\n", species.name,
-               species.expected_blades, species.mean_per_m2);
-  }
-  fmt::print(out, "blades    {:.0f} expected\n", report.expected_blades);
-  for (const LoadedMap& map : report.maps) {
-    fmt::print(out, "map       {} = {}: {} × {} nodes, {} m apart, {}\n", map.field,
-               map.file.filename().string(), map.frame.columns, map.frame.rows, map.frame.spacing_m,
-               map.in_memory ? readable_bytes(map.memory_bytes) : "read from disk as needed");
-  }
-  fmt::print(out, "memory    {} for maps\n", readable_bytes(report.map_memory_bytes));
-  fmt::print(out, "cameras   {}\n", fmt::join(report.cameras, ", "));
-  if (report.wind) fmt::print(out, "wind      {}\n", described(*report.wind));
-  if (report.conditions > 0) fmt::print(out, "grass     {} conditions come over it\n", report.conditions);
-  for (const MoverReport& mover : report.movers) {
-    fmt::print(out, "mover     {}: {}, {} m/s along {:.1f} m{}\n", mover.name, name_of(mover.kind),
-               mover.speed_m_per_s, mover.length_m, mover.loops ? ", round and round" : "");
-  }
-  for (const std::string& warning : report.warnings) fmt::print(out, "warning   {}\n", warning);
-}
-
-void print_json(const SceneReport& report, std::ostream& out) {
-  nlohmann::ordered_json json;
-  json["folder"] = report.folder;
-  json["scene_hash"] = fmt::format("{:016x}", report.scene_hash);
-  json["seed"] = report.seed;
-  json["extent_m"] = {report.extent_m.x, report.extent_m.y};
-  json["repeats"] = report.repeats;
-  json["tile_m"] = report.tile_m;
-  json["tiles"] = {report.tiles_east, report.tiles_north};
-  json["height_min_m"] = report.height_m.min_m;
-  json["height_max_m"] = report.height_m.max_m;
-  json["species"] = nlohmann::ordered_json::array();
-  for (const SpeciesReport& species : report.species) {
-    json["species"].push_back({{"name", species.name},
-                               {"expected_blades", species.expected_blades},
-                               {"mean_per_m2", species.mean_per_m2}});
-  }
-  json["expected_blades"] = report.expected_blades;
-  json["maps"] = nlohmann::ordered_json::array();
-  for (const LoadedMap& map : report.maps) json["maps"].push_back(json_of(map));
-  json["map_memory_bytes"] = report.map_memory_bytes;
-  json["cameras"] = report.cameras;
-  json["wind"] = nullptr;
-  if (report.wind) json["wind"] = json_of(*report.wind);
-  json["conditions"] = report.conditions;
-  json["movers"] = nlohmann::ordered_json::array();
-  for (const MoverReport& mover : report.movers) {
-    json["movers"].push_back({{"name", mover.name},
-                              {"kind", name_of(mover.kind)},
-                              {"speed_m_per_s", mover.speed_m_per_s},
-                              {"length_m", mover.length_m},
-                              {"loops", mover.loops}});
-  }
-  json["geo_reference"] = nullptr;
-  if (report.geo_reference) {
-    json["geo_reference"] = {{"west_m", report.geo_reference->west_m},
-                             {"south_m", report.geo_reference->south_m},
-                             {"pixel_size_m", report.geo_reference->pixel_size_m},
-                             {"has_coordinate_system", names_coordinate_system(*report.geo_reference)}};
-  }
-  json["warnings"] = report.warnings;
-  // Paths may hold bytes that are no UTF-8; they are replaced, not refused.
-  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace prairie

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "world/world.h"
+#include "world/map_loading.h"
+#include "world/scene/scene.h"
 
 namespace prairie {
+
+class World;
 
 struct SpeciesReport {
   std::string name;
@@ -48,8 +50,5 @@ struct SceneReport {
 };
 
 SceneReport describe_scene(const World& world);
-
-void print_text(const SceneReport& report, std::ostream& out);
-void print_json(const SceneReport& report, std::ostream& out);
 
 }  // namespace prairie

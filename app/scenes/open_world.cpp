@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/terminal/messages.h"
+#include "world/world.h"
 
 namespace prairie {
 

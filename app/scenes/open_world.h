@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "agents/gait.h"
 #include "app/terminal/global_options.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 /// Warnings about the maps go to stderr. Throws BadInput, OverBudget.
 /// `gait`: of its walkers, instead of the one that comes along.

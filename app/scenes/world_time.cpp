@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "world/motion.h"
+#include "world/world.h"
+
 namespace prairie {
 
 int steps_in(double interval_s) {

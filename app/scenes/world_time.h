@@ -1,10 +1,14 @@
 // Bringing a world to the time of a picture, and to where it is seen from.
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include "lod/camera.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class HeightField;
+class World;
 
 /// The longest step that commands take by themselves.
 inline constexpr double kLongestStepS = 1.0 / 60.0;

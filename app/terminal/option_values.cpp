@@ -1,7 +1,6 @@
 #include "app/terminal/option_values.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "app/terminal/usage_error.h"
+#include "files/joined.h"
 #include "files/suggestion.h"
 
 namespace prairie {
@@ -159,8 +159,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 std::string choice_option(const std::string& option, const std::string& text,
                           const std::vector<std::string>& names) {
   if (std::ranges::find(names, text) != names.end()) return text;
-  throw UsageError(option, text + did_you_mean(text, names),
-                   fmt::format("one of {}", fmt::join(names, ", ")));
+  throw UsageError(option, text + did_you_mean(text, names), "one of " + joined(names, ", "));
 }
 
 }  // namespace prairie

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "app/viewer/frame_choices.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

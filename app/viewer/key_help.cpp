@@ -1,10 +1,11 @@
 #include "app/viewer/key_help.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
+
+#include "files/joined.h"
 
 namespace prairie {
 namespace {
@@ -14,7 +15,7 @@ constexpr std::size_t kMenuColumns = 9, kMostColumns = 90;  // of the short help
 std::string key_names(const Action& action, const char* between) {
   std::vector<std::string> names;
   for (const Key key : action.keys) names.push_back(key_name(key));
-  return fmt::format("{}", fmt::join(names, between));
+  return joined(names, between);
 }
 
 /// What stands in a line of the short help, such as "[ ]: speed".

@@ -8,6 +8,8 @@
 #include "app/terminal/option_values.h"
 #include "app/viewer/frame_choices.h"
 #include "app/viewer/walker_text.h"
+#include "world/motion.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "animation/heading.h"
 #include "app/scenes/world_time.h"
+#include "world/motion.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

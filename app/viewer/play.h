@@ -6,13 +6,15 @@
 #include <optional>
 
 #include "agents/driven_cart.h"
+#include "agents/driven_mover.h"
 #include "agents/rolling_stone.h"
 #include "app/viewer/play_clock.h"
 #include "app/viewer/wind_controls.h"
 #include "lod/camera.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 class Play {
  public:

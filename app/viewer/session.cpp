@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 
@@ -41,6 +43,10 @@ ShownWalkers Session::shown_walkers() const {
     shown.lines.insert(shown.lines.end(), sensors.begin(), sensors.end());
   }
   return shown;
+}
+
+bool Session::has_walkers() const {
+  return !world.walkers().empty();
 }
 
 void Session::watch_next_walker() {

@@ -17,9 +17,10 @@
 #include "lod/camera.h"
 #include "render/frame/frame_options.h"
 #include "render/overlays/line_segment.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 /// What a frame shows and tells of the walkers.
 struct ShownWalkers {
@@ -38,7 +39,7 @@ struct Session {
   void advance(double passed_s, const CartControls& arrows, bool fast);
   ShownWalkers shown_walkers() const;
 
-  bool has_walkers() const { return !world.walkers().empty(); }
+  bool has_walkers() const;
   /// Watches the next walker; whoever was steered decides for itself again.
   void watch_next_walker();
 

@@ -11,9 +11,10 @@
 #include "app/viewer/window.h"
 #include "lod/camera.h"
 #include "render/frame/renderer.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 class Stage {
  public:

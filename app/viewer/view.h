@@ -4,9 +4,10 @@
 
 #include "app/viewer/viewer_options.h"
 #include "lod/camera.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 /// Shows the world, which goes on meanwhile, until the window is closed. After a reset of the graphics device
 /// it goes on in a new window. Throws NoSuitableOpenGl, OverBudget; LostContext if the first frame in a new

@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 

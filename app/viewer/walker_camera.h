@@ -11,9 +11,11 @@
 
 #include "app/viewer/fly_camera.h"
 #include "lod/camera.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class HeightField;
+class World;
 
 enum class CameraMode { kFree, kFollow, kOrbit };
 

@@ -8,6 +8,8 @@
 #include <glm/vec4.hpp>
 #include <numbers>
 
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 

@@ -10,11 +10,13 @@
 #include <span>
 #include <vector>
 
+#include "agents/behaviour.h"
 #include "app/viewer/walker_trails.h"
 #include "render/overlays/line_segment.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 enum class WalkerOverlay { kNone, kSensors, kPaths, kBoth };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 

@@ -8,9 +8,10 @@
 
 #include "agents/behaviour.h"
 #include "agents/crowd.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 /// What the held arrow keys and shift ask of a walker.
 struct WalkerControls {

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 

@@ -7,9 +7,10 @@
 #include <string>
 
 #include "agents/behaviour.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 /// θ: the angle from where a walker looks to what it perceives, to the left positive, −π…π.
 double angle_to_percept_rad(const Percept& percept, glm::dvec2 forward);

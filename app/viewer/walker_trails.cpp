@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "world/world.h"
+
 namespace prairie {
 
 glm::dvec3 on_ground_m(const World& world, std::size_t walker) {

@@ -8,9 +8,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "world/world.h"
-
 namespace prairie {
+
+class World;
 
 /// With more than these, the nearest ones.
 inline constexpr std::size_t kMostOverlaidWalkers = 200;

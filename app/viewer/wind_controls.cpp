@@ -6,8 +6,10 @@
 #include <glm/trigonometric.hpp>
 
 #include "animation/heading.h"
+#include "world/motion.h"
 #include "world/scene/bearing.h"
 #include "world/scene_wind.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

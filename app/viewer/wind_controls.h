@@ -1,9 +1,11 @@
 // The steady wind as a person sets it at a window, by keys or sliders.
 #pragma once
 
-#include "world/world.h"
-
 namespace prairie {
+
+class World;
+struct Scene;
+struct Wind;
 
 struct WindControls {
   float speed_m_per_s = 0.0f;  // 0…kMostSpeedMPerS

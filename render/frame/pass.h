@@ -10,9 +10,10 @@
 #include "render/gl/draw_state.h"
 #include "render/gl/stream_buffer.h"
 #include "render/grass/moving_program.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 /// The view that a pass draws for.
 struct ViewInputs {

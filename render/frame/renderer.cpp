@@ -19,6 +19,7 @@
 #include "render/post/develop.h"
 #include "render/post/developed_picture.h"
 #include "render/post/supersampling.h"
+#include "world/motion.h"
 
 namespace prairie {
 namespace {

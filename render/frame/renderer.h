@@ -13,10 +13,11 @@
 #include "lod/camera.h"
 #include "pictures/picture.h"
 #include "render/frame/frame_options.h"
-#include "render/frame/pass.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
+struct Pass;
 
 /// One of a frame's views: an eye, and the framebuffer that its picture goes to (0: the window). The camera's
 /// size is the framebuffer's.

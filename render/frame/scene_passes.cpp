@@ -6,6 +6,7 @@
 #include "render/light/scene_light.h"
 #include "render/things/drawn_walkers.h"
 #include "render/things/mover_look.h"
+#include "world/motion.h"
 
 namespace prairie {
 namespace {

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "world/motion.h"
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "shaders/shared/layouts.h"
-#include "world/world.h"
 
 namespace prairie {
+
+class World;
 
 enum class FieldOverlay {
   kNone,

@@ -1,5 +1,6 @@
 #include "tests/fuzz/corpus.h"
 #include "tests/fuzz/state_worlds.h"
+#include "world/motion.h"
 #include "world/state_file.h"
 
 namespace prairie::fuzz {

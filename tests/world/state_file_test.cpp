@@ -13,6 +13,7 @@
 
 #include "files/little_endian.h"
 #include "tests/world/scene_texts.h"
+#include "world/motion.h"
 #include "world/world.h"
 
 namespace prairie {

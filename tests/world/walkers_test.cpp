@@ -12,6 +12,7 @@
 #include "agents/track_files.h"
 #include "files/error.h"
 #include "world/effort.h"
+#include "world/motion.h"
 #include "world/state_file.h"
 #include "world/world.h"
 

@@ -8,6 +8,7 @@
 
 #include "generator/plant.h"
 #include "tests/world/scene_texts.h"
+#include "world/motion.h"
 
 namespace prairie {
 namespace {

@@ -30,7 +30,8 @@ TEST(CommandLine, VersionGoesToStdout) {
 }
 
 TEST(CommandLine, EveryCommandHasHelpWithExamples) {
-  for (const std::string command : {"new", "info", "render", "export", "plant", "view", "bench"}) {
+  for (const std::string command :
+       {"new", "info", "render", "record", "export", "plant", "view", "walk", "bench"}) {
     const Outcome outcome = testing::prairie({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.out.find("Examples:\n  prairie " + command), std::string::npos) << outcome.out;

@@ -13,6 +13,7 @@
 #include "tests/app/commands/program.h"
 #include "tests/app/small_scene.h"
 #include "tests/maps/test_images.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

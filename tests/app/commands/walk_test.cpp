@@ -117,6 +117,8 @@ TEST_F(Walk, RefusesWhatItCannotUse) {
                       "}\n}\nMOTION\nFrames: 1\nFrame Time: 0.01\n\n");
   expect_refused({"--duration", "1", "--gait", path("half.bvh")}, 3, {"half.bvh"});
   expect_refused({"--replay-at", "1,2"}, 2, {"--replay"});
+  expect_refused({"--duration", "80000"}, 2, {"--duration", "frames", "1000000"});
+  expect_refused({"--duration", "4000", "--record", path("clip")}, 2, {"--duration", "frames", "100000"});
   expect_refused({"--duration", "1", "--replay", path("text.csv"), "--replay-at", "1"}, 2, {"--replay-at"});
   testing::write_small_scene(folder_ / "scene");
   expect_refused({"--duration", "1"}, 3, {"scene.toml", "walkers"});

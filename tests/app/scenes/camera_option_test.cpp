@@ -6,6 +6,7 @@
 #include "app/terminal/usage_error.h"
 #include "tests/app/small_scene.h"
 #include "tests/maps/test_images.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

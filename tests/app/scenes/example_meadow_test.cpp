@@ -8,6 +8,7 @@
 #include "app/scenes/new_scene.h"
 #include "tests/world/scene_texts.h"
 #include "world/camera_placement.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

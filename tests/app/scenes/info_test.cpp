@@ -1,11 +1,10 @@
-#include "app/scenes/info.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "app/scenes/info_formats.h"
 #include "tests/world/scene_texts.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {
@@ -36,9 +35,7 @@ TEST(Info, PrintsOneJsonObject) {
                         [](int, int) { return 0.5f; });
   const World world = testing::open_scene(
       folder.path(), "version = 1\n[[species]]\nname = \"a\"\ndensity = { file = \"a.tif\" }\n");
-  std::stringstream out;
-  print_json(describe_scene(world), out);
-  const auto json = nlohmann::json::parse(out.str());
+  const auto json = nlohmann::json::parse(info_json(describe_scene(world)));
   EXPECT_EQ(json["extent_m"], (std::vector{20.0, 20.0}));
   EXPECT_EQ(json["tiles"], (std::vector{5, 5}));
   EXPECT_EQ(json["maps"][0]["file"], "a.tif");
@@ -51,10 +48,9 @@ TEST(Info, PrintsOneJsonObject) {
 }
 
 TEST(Info, PrintsTextForPeople) {
-  std::stringstream out;
-  print_text(describe_scene(plain_world({})), out);
-  EXPECT_NE(out.str().find("extent    40.0 × 20.0 m"), std::string::npos) << out.str();
-  EXPECT_NE(out.str().find("tiles     10 × 5 of 4 m"), std::string::npos) << out.str();
+  const std::string text = info_text(describe_scene(plain_world({})));
+  EXPECT_NE(text.find("extent    40.0 × 20.0 m"), std::string::npos) << text;
+  EXPECT_NE(text.find("tiles     10 × 5 of 4 m"), std::string::npos) << text;
 }
 
 TEST(Info, TellsWhatMoves) {
@@ -65,23 +61,18 @@ TEST(Info, TellsWhatMoves) {
               "path_m = [[0, 0], [10, 0]]\n[[condition]]\n[[condition]]\n",
           "folder", {}),
       {});
-  std::stringstream text, json_text;
-  print_text(describe_scene(world), text);
-  EXPECT_NE(text.str().find("wind      6.5 m/s towards 90°, turbulence 1, 1 gusts"), std::string::npos)
-      << text.str();
-  EXPECT_NE(text.str().find("mover     boulder: stone, 1 m/s along 20.0 m, round and round"),
-            std::string::npos)
-      << text.str();
-  EXPECT_NE(text.str().find("grass     2 conditions come over it"), std::string::npos) << text.str();
-  print_json(describe_scene(world), json_text);
-  const auto json = nlohmann::json::parse(json_text.str());
+  const std::string text = info_text(describe_scene(world));
+  EXPECT_NE(text.find("wind      6.5 m/s towards 90°, turbulence 1, 1 gusts"), std::string::npos) << text;
+  EXPECT_NE(text.find("mover     boulder: stone, 1 m/s along 20.0 m, round and round"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("grass     2 conditions come over it"), std::string::npos) << text;
+  const auto json = nlohmann::json::parse(info_json(describe_scene(world)));
   EXPECT_EQ(json["conditions"], 2);
   EXPECT_EQ(json["wind"]["speed_m_per_s"], 6.5);
   EXPECT_EQ(json["movers"][0]["name"], "boulder");
   EXPECT_NEAR(json["movers"][0]["length_m"].get<double>(), 20.0, 1e-3);
-  std::stringstream plain;
-  print_json(describe_scene(plain_world({})), plain);
-  EXPECT_TRUE(nlohmann::json::parse(plain.str())["wind"].is_null());
+  const auto plain = nlohmann::json::parse(info_json(describe_scene(plain_world({}))));
+  EXPECT_TRUE(plain["wind"].is_null());
 }
 
 }  // namespace

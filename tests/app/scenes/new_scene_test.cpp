@@ -9,6 +9,7 @@
 #include "pictures/picture_encoding.h"
 #include "tests/world/scene_texts.h"
 #include "world/camera_placement.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -8,6 +8,7 @@
 #include "generator/plant.h"
 #include "tests/world/scene_texts.h"
 #include "world/camera_placement.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -5,6 +5,7 @@
 #include "app/scenes/open_world.h"
 #include "tests/app/small_scene.h"
 #include "tests/maps/test_images.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

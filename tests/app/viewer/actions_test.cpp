@@ -12,6 +12,8 @@
 
 #include "app/viewer/key_help.h"
 #include "tests/app/viewer/walking_world.h"
+#include "world/motion.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "app/viewer/actions.h"
 #include "tests/app/viewer/walking_world.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

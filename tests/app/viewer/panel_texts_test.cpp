@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/app/viewer/walking_world.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

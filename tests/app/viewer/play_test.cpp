@@ -12,6 +12,9 @@
 #include <random>
 #include <string>
 
+#include "world/motion.h"
+#include "world/world.h"
+
 namespace prairie {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/app/viewer/walking_world.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

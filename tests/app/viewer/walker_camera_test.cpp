@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "tests/app/viewer/walking_world.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/app/viewer/walking_world.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "app/viewer/walker_text.h"
 #include "tests/app/viewer/walking_world.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

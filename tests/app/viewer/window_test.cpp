@@ -25,6 +25,7 @@
 #include "tests/app/small_scene.h"
 #include "tests/app/viewer/window_from_outside.h"
 #include "tests/maps/test_images.h"
+#include "world/motion.h"
 #include "world/scene/scene.h"
 #include "world/world.h"
 

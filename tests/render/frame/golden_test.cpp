@@ -15,6 +15,7 @@
 
 #include "pictures/picture_encoding.h"
 #include "pictures/picture_input.h"
+#include "render/frame/pass.h"
 #include "render/frame/renderer.h"
 #include "render/things/walker_pass.h"
 #include "tests/render/headless_test.h"

@@ -7,6 +7,8 @@
 
 #include "render/frame/renderer.h"
 #include "tests/render/headless_test.h"
+#include "world/motion.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

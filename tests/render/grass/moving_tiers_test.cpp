@@ -11,7 +11,9 @@
 #include "lod/sward/tip_share.h"
 #include "render/frame/renderer.h"
 #include "tests/render/headless_test.h"
+#include "world/motion.h"
 #include "world/scene_wind.h"
+#include "world/world.h"
 
 namespace prairie {
 namespace {

@@ -9,6 +9,7 @@
 #include "render/frame/renderer.h"
 #include "tests/render/headless_test.h"
 #include "tests/render/test_world.h"
+#include "world/motion.h"
 
 namespace prairie {
 namespace {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/world/scene_texts.h"
+#include "world/motion.h"
 #include "world/scene/scene_hash.h"
 #include "world/world.h"
 
