@@ -4,56 +4,13 @@
 
 #include <cmath>
 
+#include "generator/grasses.h"
+
 namespace prairie {
 namespace {
 
-SpeciesParams fescue() {
-  SpeciesParams params{};
-  params.root_color = {0.045f, 0.075f, 0.018f};
-  params.tip_color = {0.17f, 0.26f, 0.05f};
-  params.dry_color = {0.45f, 0.36f, 0.16f};
-  params.transmission = {0.55f, 0.62f, 0.16f};
-  params.dry_share = 0.12f;
-  params.dry_spread = 0.2f;
-  params.hue_spread = 0.4f;
-  params.specular = 0.05f;
-  params.height_m = 0.32f;
-  params.height_spread = 0.35f;
-  params.width_m = 0.0035f;
-  params.width_spread = 0.3f;
-  params.tilt_rad = 0.21f;
-  params.curvature_rad = 0.785f;
-  params.curvature_spread = 0.5f;
-  params.mass_g = 0.05f;
-  params.stiffness = 60.0f;
-  params.stiffness_spread = 0.3f;
-  params.clump_m = 0.28f;
-  params.clump_strength = 0.55f;
-  params.clump_spray_rad = 0.1f;
-  return params;
-}
-
-SpeciesParams oatgrass() {
-  SpeciesParams params = fescue();
-  params.root_color = {0.075f, 0.09f, 0.02f};
-  params.tip_color = {0.46f, 0.33f, 0.09f};
-  params.dry_color = {0.69f, 0.52f, 0.22f};
-  params.dry_share = 0.45f;
-  params.dry_spread = 0.35f;
-  params.height_m = 0.72f;
-  params.height_spread = 0.25f;
-  params.width_m = 0.003f;
-  params.lean_rad = 0.24f;
-  params.curvature_rad = 0.59f;
-  params.stiffness = 40.0f;
-  params.clump_m = 0.45f;
-  params.clump_strength = 0.65f;
-  params.clump_spray_rad = 0.21f;
-  return params;
-}
-
 SpeciesParams plantain() {
-  SpeciesParams params = fescue();
+  SpeciesParams params = fescue_params();
   params.root_color = {0.03f, 0.06f, 0.015f};
   params.tip_color = {0.09f, 0.2f, 0.04f};
   params.dry_share = 0.03f;
@@ -73,8 +30,8 @@ std::vector<TierScene> tier_scenes(glm::dvec2 extent_m) {
     SpeciesParams params;
     double densities_per_m2[3];
   };
-  const Kind kinds[] = {{"fescue", fescue(), {300.0, 1000.0, 3000.0}},
-                        {"oatgrass", oatgrass(), {100.0, 400.0, 1500.0}},
+  const Kind kinds[] = {{"fescue", fescue_params(), {300.0, 1000.0, 3000.0}},
+                        {"oatgrass", oatgrass_params(), {100.0, 400.0, 1500.0}},
                         {"plantain", plantain(), {300.0, 1000.0, 3000.0}}};
   std::vector<TierScene> scenes;
   for (const Kind& kind : kinds) {

@@ -1,6 +1,7 @@
 // What nearly every source includes, parsed once for all rooms and once for all tests: only headers that this
 // project does not change. Sources still include what they use: nothing may rest on this file.
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>

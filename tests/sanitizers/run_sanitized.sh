@@ -7,7 +7,7 @@ sources=$1 preset=$2
 build=$sources/build/$preset
 
 case $preset in
-  asan) targets=(prairie_maps_tests replay_map_file replay_map_text replay_scene) ;;
+  asan) targets=(prairie_{files,pictures,maps}_tests replay_{map_file,map_text,scene}) ;;
   tsan) targets=(prairie_thread_tests) ;;
 esac
 
@@ -29,8 +29,12 @@ case $preset in
     # Full stacks at every allocation: libraries keep no frame pointers, and their leaks are known by their frames.
     export ASAN_OPTIONS=detect_leaks=1:fast_unwind_on_malloc=0 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
     export LSAN_OPTIONS=suppressions=$sources/tests/sanitizers/leaks_of_libraries.txt:print_suppressions=0
-    "$build/tests/maps/prairie_maps_tests" --gtest_brief=1 --gtest_filter='-*Speed*'
-    for reader in map_file map_text scene; do "$build/tests/fuzz/replay_$reader"; done
+    "$build/tests/fuzz/replay_map_file" 9>&- &  # as long as all others
+    for room in files pictures maps; do
+      "$build/tests/$room/prairie_${room}_tests" --gtest_brief=1 --gtest_filter='-*Speed*'
+    done
+    for reader in map_text scene; do "$build/tests/fuzz/replay_$reader"; done
+    wait $!
     ;;
   tsan)
     export TSAN_OPTIONS=halt_on_error=1

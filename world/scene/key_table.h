@@ -1,8 +1,10 @@
 // What is done with a section by its table of keys: it is read, hashed and written.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "world/scene/key.h"
@@ -26,16 +28,18 @@ void read_section(const KeyTable<Section>& keys, TableReader& table, const Scene
   if (keys.check != nullptr) keys.check(table, section);
 }
 
+/// Places of the lines that are hashed, in their order.
+std::vector<std::size_t> hash_order(const std::vector<HashLine>& lines);
+
 template <class Section>
 void hash_section(const KeyTable<Section>& keys, const ContentHashes& files, const Section& section,
                   CanonicalText& text) {
-  std::vector<const Key<Section>*> lines;
-  for (const Key<Section>& key : keys.keys) {
-    const bool applies = key.applies == nullptr || key.applies(section);
-    if (applies && !key.traits.hash.name.empty()) lines.push_back(&key);
+  std::vector<HashLine> lines;
+  for (const Key<Section>& key : keys.keys) lines.push_back(key.traits.hash);
+  for (const std::size_t place : hash_order(lines)) {
+    const Key<Section>& key = keys.keys[place];
+    if (key.applies == nullptr || key.applies(section)) key.hash(text, key.traits, files, section);
   }
-  std::ranges::stable_sort(lines, {}, [](const Key<Section>* key) { return key->traits.hash.rank; });
-  for (const Key<Section>* key : lines) key->hash(text, key->traits, files, section);
 }
 
 /// Those that the section has, in the table's order. `defaults`: what a file without the key would give.
