@@ -13,10 +13,12 @@
 #include <vector>
 
 // toml++ itself takes a second to parse: only files that look into its nodes include it.
-namespace toml::inline v3 {
+namespace toml {
+inline namespace v3 {
 class node;
 class table;
-}  // namespace toml::inline v3
+}  // namespace v3
+}  // namespace toml
 
 namespace prairie {
 
