@@ -33,7 +33,7 @@ struct TileMorph {
 /// Sides of a ground patch along which the neighbour is twice as coarse.
 enum PatchSide : std::uint8_t { kWest = 1, kEast = 2, kSouth = 4, kNorth = 8 };
 
-/// A square of ground, drawn as kPatchQuads × kPatchQuads quads of side kFinestQuad_m · 2^level.
+/// A square of ground, drawn as kPatchQuads × kPatchQuads quads of side kFinestQuadM · 2^level.
 struct GroundPatch {
   int level = 0;
   int column = 0;  // of its south-west corner, in patches of its level from the scene's origin

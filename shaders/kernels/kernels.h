@@ -1,5 +1,5 @@
 // The kernels, read as C++ (docs/design.md, D1). They become member functions, which are inline and see the
-// cell tables as the shaders see their storage buffer; a kernel that needs no tables works on `Kernels{}`.
+// cell tables as the shaders see their buffer texture; a kernel that needs no tables works on `Kernels{}`.
 #pragma once
 
 #include <glm/common.hpp>
