@@ -3,10 +3,9 @@
 // and written, which mostly follows from the member's type (world/scene/key_values.h).
 #pragma once
 
-#include <concepts>
 #include <string>
 #include <string_view>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "world/scene/canonical_text.h"

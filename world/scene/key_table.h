@@ -18,14 +18,25 @@ struct KeyText {
   bool is_default;
 };
 
-/// Overwrites what the table sets; every key of it must be one of the section's. Throws BadInput.
+/// Overwrites what the table sets; it may have other keys, too. Throws BadInput.
 template <class Section>
-void read_section(const KeyTable<Section>& keys, TableReader& table, const Scene& so_far, Section& section) {
+void read_keys(const KeyTable<Section>& keys, TableReader& table, const Scene& so_far, Section& section) {
   for (const Key<Section>& key : keys.keys) {
     if (!key.traits.name.empty()) key.read(table, key.traits, so_far, section);
   }
+}
+
+/// The same; every key of the table must be one of the section's.
+template <class Section>
+void read_section(const KeyTable<Section>& keys, TableReader& table, const Scene& so_far, Section& section) {
+  read_keys(keys, table, so_far, section);
   table.refuse_unknown_keys();
   if (keys.check != nullptr) keys.check(table, section);
+}
+
+template <class Section>
+bool plays_part(const Key<Section>& key, const Section& section) {
+  return key.applies == nullptr || key.applies(section);
 }
 
 /// Places of the lines that are hashed, in their order.
@@ -38,7 +49,7 @@ void hash_section(const KeyTable<Section>& keys, const ContentHashes& files, con
   for (const Key<Section>& key : keys.keys) lines.push_back(key.traits.hash);
   for (const std::size_t place : hash_order(lines)) {
     const Key<Section>& key = keys.keys[place];
-    if (key.applies == nullptr || key.applies(section)) key.hash(text, key.traits, files, section);
+    if (plays_part(key, section)) key.hash(text, key.traits, files, section);
   }
 }
 
@@ -48,8 +59,7 @@ std::vector<KeyText> section_texts(const KeyTable<Section>& keys, const Scene& s
                                    const Section& defaults) {
   std::vector<KeyText> texts;
   for (const Key<Section>& key : keys.keys) {
-    const bool applies = key.applies == nullptr || key.applies(section);
-    if (!applies || key.traits.name.empty()) continue;
+    if (!plays_part(key, section) || key.traits.name.empty()) continue;
     std::string text = key.text(key.traits, scene, section);
     if (text.empty()) continue;
     const bool is_default = !key.traits.is_required && text == key.text(key.traits, scene, defaults);

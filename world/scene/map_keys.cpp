@@ -65,6 +65,12 @@ KeyTable<MapSpec> table_of(std::string_view channel, std::string_view range, std
 
 }  // namespace
 
+MapSpec default_map(const Scene& so_far) {
+  MapSpec map;
+  map.repeats = so_far.height && so_far.height->repeats;
+  return map;
+}
+
 const KeyTable<MapSpec>& map_keys(MapUse use) {
   static const KeyTable<MapSpec> tables[] = {
       table_of("channel", "range", "", "", {}),

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "world/scene/key_ranges.h"
+
 namespace prairie {
 namespace {
-
-constexpr Bounds kPositionM{-1e6, 1e6};
 
 std::string expected(PointCounts counts) {
   return fmt::format("{} to {} points [[x, y], …] in metres", counts.least, counts.most);

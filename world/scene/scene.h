@@ -114,6 +114,7 @@ struct BadOverride : BadInput {
   using BadInput::BadInput;
 };
 
+inline constexpr int kSceneVersion = 1;  // of the file's form
 inline constexpr const char* kSceneFileName = "scene.toml";
 inline constexpr const char* kWindFileField = "wind.file";
 inline constexpr double kMaxDensityPerM2 = 1e5;

@@ -30,15 +30,9 @@ class SceneText {
   void add(std::string_view name, const std::optional<MapSpec>& map, MapUse use) {
     if (map) hash_map(text_, name, *map, use, files_);
   }
-  void add(const WindPrimitive& primitive) {
-    if (const auto* gust = std::get_if<Gust>(&primitive)) add(gust_keys(), *gust);
-    if (const auto* tornado = std::get_if<Tornado>(&primitive)) add(tornado_keys(), *tornado);
-    if (const auto* breeze = std::get_if<Breeze>(&primitive)) add(breeze_keys(), *breeze);
-  }
-  void add(const Obstacle& obstacle) {
-    if (const auto* trunk = std::get_if<Trunk>(&obstacle)) add(trunk_keys(), *trunk);
-    if (const auto* box = std::get_if<Block>(&obstacle)) add(box_keys(), *box);
-    if (const auto* rock = std::get_if<Rock>(&obstacle)) add(rock_keys(), *rock);
+  template <class... Kinds>
+  void add(const std::variant<Kinds...>& thing) {
+    std::visit([&](const auto& kind) { add(keys_of(kind), kind); }, thing);
   }
 
  private:

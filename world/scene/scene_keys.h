@@ -36,4 +36,47 @@ const KeyTable<Wall>& wall_keys();
 const KeyTable<GoalSpec>& goal_keys();
 const KeyTable<WalkerGroup>& walkers_keys();
 
+/// What a map is where its table says nothing: it repeats with the height map.
+MapSpec default_map(const Scene& so_far);
+/// The same of a species: a fescue.
+SpeciesSpec default_species();
+
+// Of what is one of several kinds: its table, and the name of its kind in the file.
+inline const KeyTable<Gust>& keys_of(const Gust&) {
+  return gust_keys();
+}
+inline const KeyTable<Tornado>& keys_of(const Tornado&) {
+  return tornado_keys();
+}
+inline const KeyTable<Breeze>& keys_of(const Breeze&) {
+  return breeze_keys();
+}
+inline const KeyTable<Trunk>& keys_of(const Trunk&) {
+  return trunk_keys();
+}
+inline const KeyTable<Block>& keys_of(const Block&) {
+  return box_keys();
+}
+inline const KeyTable<Rock>& keys_of(const Rock&) {
+  return rock_keys();
+}
+inline const char* kind_name(const Gust&) {
+  return "gust";
+}
+inline const char* kind_name(const Tornado&) {
+  return "tornado";
+}
+inline const char* kind_name(const Breeze&) {
+  return "breeze";
+}
+inline const char* kind_name(const Trunk&) {
+  return "trunk";
+}
+inline const char* kind_name(const Block&) {
+  return "box";
+}
+inline const char* kind_name(const Rock&) {
+  return "rock";
+}
+
 }  // namespace prairie

@@ -7,28 +7,20 @@
 #include <string>
 #include <utility>
 
-#include "generator/grasses.h"
 #include "world/scene/key_table.h"
 #include "world/scene/scene_keys.h"
 
 namespace prairie {
 namespace {
 
-constexpr std::int64_t kVersion = 1;
-
 void read_version(TableReader& root) {
   const auto version = root.integer("version", 0, std::numeric_limits<std::int64_t>::max());
-  if (!version) root.refuse_missing("version", fmt::format("version = {}", kVersion));
-  if (*version > kVersion) {
+  if (!version) root.refuse_missing("version", fmt::format("version = {}", kSceneVersion));
+  if (*version > kSceneVersion) {
     root.refuse("version", fmt::format("version {}, newer than this program", *version),
-                fmt::format("version {} (a newer prairie reads this scene)", kVersion));
+                fmt::format("version {} (a newer prairie reads this scene)", kSceneVersion));
   }
-  if (*version < kVersion) root.refuse("version", fmt::format("version {}", kVersion));
-}
-
-void read_top(TableReader& root, Scene& scene) {
-  const Scene& so_far = scene;
-  for (const Key<Scene>& key : top_keys().keys) key.read(root, key.traits, so_far, scene);
+  if (*version < kSceneVersion) root.refuse("version", fmt::format("version {}", kSceneVersion));
 }
 
 /// `section` has its defaults, and is left alone where the table is absent.
@@ -41,8 +33,7 @@ void read_one(TableReader& root, std::string_view name, const KeyTable<Section>&
 std::optional<MapSpec> read_map(TableReader& root, std::string_view name, MapUse use, const Scene& so_far) {
   auto table = root.table(name);
   if (!table) return std::nullopt;
-  MapSpec map;
-  map.repeats = so_far.height && so_far.height->repeats;
+  MapSpec map = default_map(so_far);
   read_section(map_keys(use), *table, so_far, map);
   return map;
 }
@@ -100,7 +91,7 @@ void read_wind(TableReader& root, Scene& scene) {
   auto table = root.table("wind");
   if (!table) return;
   WindSpec wind;
-  for (const Key<WindSpec>& key : wind_keys().keys) key.read(*table, key.traits, scene, wind);
+  read_keys(wind_keys(), *table, scene, wind);
   read_primitives(*table, "gust", gust_keys(), scene, wind.primitives);
   read_primitives(*table, "tornado", tornado_keys(), scene, wind.primitives);
   read_primitives(*table, "breeze", breeze_keys(), scene, wind.primitives);
@@ -152,12 +143,11 @@ Scene scene_from_table(const toml::table& table, const TomlOrigin& origin,
   scene.folder = folder;
   TableReader root(origin, "", table);
   read_version(root);
-  read_top(root, scene);
+  read_keys(top_keys(), root, scene, scene);
   scene.height = read_map(root, "height", MapUse::kHeight, scene);
   read_one(root, "ground", ground_keys(), scene, scene);
-  SpeciesSpec species;
-  species.species.params = fescue_params();
-  read_several(root, {"species", "species", kMaxSpecies}, species_keys(), scene, scene.species, species);
+  read_several(root, {"species", "species", kMaxSpecies}, species_keys(), scene, scene.species,
+               default_species());
   read_maps(root, scene);
   read_several(root, {"camera", "cameras"}, camera_keys(), scene, scene.cameras);
   read_one(root, "sun", sun_keys(), scene, scene.sun);

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "generator/grasses.h"
 #include "world/scene/key_table.h"
 #include "world/scene/map_text.h"
 #include "world/scene/scene_keys.h"
@@ -21,7 +21,7 @@ class SceneWriter {
 
   void head() {
     text_ = notes_.head;
-    line("", "version", "1");
+    line("", "version", fmt::format("{}", kSceneVersion));
     lines("", section_texts(top_keys(), scene_, scene_, Scene{}));
   }
 
@@ -70,29 +70,17 @@ class SceneWriter {
     heading("wind", "[wind]");
     lines("wind", section_texts(wind_keys(), scene_, *scene_.wind, defaults));
     finish("wind");
-    for (const WindPrimitive& primitive : scene_.wind->primitives) {
-      if (const auto* gust = std::get_if<Gust>(&primitive)) one_of_several("wind.gust", gust_keys(), *gust);
-      if (const auto* tornado = std::get_if<Tornado>(&primitive))
-        one_of_several("wind.tornado", tornado_keys(), *tornado);
-      if (const auto* breeze = std::get_if<Breeze>(&primitive))
-        one_of_several("wind.breeze", breeze_keys(), *breeze);
-    }
+    const auto write = [&](const auto& kind) {
+      one_of_several(fmt::format("wind.{}", kind_name(kind)), keys_of(kind), kind);
+    };
+    for (const WindPrimitive& primitive : scene_.wind->primitives) std::visit(write, primitive);
   }
 
   void obstacle(const Obstacle& obstacle) {
-    if (const auto* trunk = std::get_if<Trunk>(&obstacle))
-      one_of_several("obstacle", trunk_keys(), *trunk, {}, "kind = \"trunk\"\n");
-    if (const auto* box = std::get_if<Block>(&obstacle))
-      one_of_several("obstacle", box_keys(), *box, {}, "kind = \"box\"\n");
-    if (const auto* rock = std::get_if<Rock>(&obstacle))
-      one_of_several("obstacle", rock_keys(), *rock, {}, "kind = \"rock\"\n");
-  }
-
-  /// What a map is where its table says nothing.
-  MapSpec default_map() const {
-    MapSpec map;
-    map.repeats = scene_.height && scene_.height->repeats;
-    return map;
+    const auto write = [&](const auto& kind) {
+      one_of_several("obstacle", keys_of(kind), kind, {}, fmt::format("kind = \"{}\"\n", kind_name(kind)));
+    };
+    std::visit(write, obstacle);
   }
 
   std::string take() { return std::move(text_); }
@@ -139,7 +127,7 @@ class SceneWriter {
   }
 
   void map_line(std::string_view name, const std::optional<MapSpec>& map, MapUse use) {
-    if (map) line("maps", name, map_text(scene_, *map, use, default_map()));
+    if (map) line("maps", name, map_text(scene_, *map, use, default_map(scene_)));
   }
 
   void finish(const std::string& section) {
@@ -160,9 +148,7 @@ std::string scene_text(const Scene& scene, const SceneNotes& notes) {
   writer.head();
   if (scene.height) writer.one("height", map_keys(MapUse::kHeight), *scene.height);
   writer.one("ground", ground_keys(), scene);
-  SpeciesSpec species;
-  species.species.params = fescue_params();
-  writer.several("species", species_keys(), scene.species, species);
+  writer.several("species", species_keys(), scene.species, default_species());
   writer.maps();
   writer.several("camera", camera_keys(), scene.cameras);
   writer.one("sun", sun_keys(), scene.sun);

@@ -1,4 +1,5 @@
 // [[species]]: what a grass looks like and how it bends.
+#include "generator/grasses.h"
 #include "world/scene/key_ranges.h"
 #include "world/scene/key_table.h"
 #include "world/scene/map_text.h"
@@ -18,9 +19,8 @@ constexpr HashLine kDryness{"parameter", 2};
 constexpr HashLine kForm{"parameter", 3};
 
 MapSpec default_density(const Scene& scene) {
-  MapSpec map;
+  MapSpec map = default_map(scene);
   map.max = SpeciesSpec{}.uniform_density_per_m2;
-  map.repeats = scene.height && scene.height->repeats;
   return map;
 }
 
@@ -56,6 +56,12 @@ Key<SpeciesSpec> parameter_key(std::string_view name, Bounds range, HashLine has
 }
 
 }  // namespace
+
+SpeciesSpec default_species() {
+  SpeciesSpec species;
+  species.species.params = fescue_params();
+  return species;
+}
 
 const KeyTable<SpeciesSpec>& species_keys() {
   using P = SpeciesParams;

@@ -12,7 +12,6 @@
 #include <map>
 #include <set>
 
-#include "generator/grasses.h"
 #include "tests/world/scene/every_key.h"
 #include "tests/world/scene/set_keys.h"
 #include "world/scene/key_table.h"
@@ -42,9 +41,7 @@ std::vector<KnownKey> all_keys() {
   add(known, "", top_keys(), Scene{});
   add(known, "height", map_keys(MapUse::kHeight));
   add(known, "ground", ground_keys(), Scene{});
-  SpeciesSpec species;
-  species.species.params = fescue_params();
-  add(known, "species", species_keys(), species);
+  add(known, "species", species_keys(), default_species());
   add(known, "species.density", map_keys(MapUse::kDensity));
   add(known, "maps.blade_height", map_keys(MapUse::kFactor));
   add(known, "maps.bend", map_keys(MapUse::kFactor));
