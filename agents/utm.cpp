@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "maps/geotiff_tags.h"
+#include "maps/georaster/spatial_reference.h"
 
 namespace prairie {
 namespace {
@@ -21,16 +21,11 @@ double meridian_deg(const UtmZone& zone) {
 
 }  // namespace
 
-// The keys come in fours (OGC 19-008r4, 7.1.2): a head of which the last is their count, then for each its
-// number, the tag that holds its value (0: none, it follows itself), how many, the value.
 std::optional<UtmZone> utm_zone_of(const GeoReference& reference) {
-  const std::vector<std::uint16_t>& keys = reference.geo_keys;
-  for (std::size_t n = 4; n + 4 <= keys.size(); n += 4) {
-    if (keys[n] != geotiff::kProjectedCrsKey || keys[n + 1] != 0) continue;
-    const int code = keys[n + 3];
-    if (code > kEpsgNorth && code <= kEpsgNorth + kZones) return UtmZone{code - kEpsgNorth, true};
-    if (code > kEpsgSouth && code <= kEpsgSouth + kZones) return UtmZone{code - kEpsgSouth, false};
-  }
+  const std::optional<SpatialReference> system = SpatialReference::of_wkt(reference.wkt);
+  const int code = system ? system->epsg().value_or(0) : 0;
+  if (code > kEpsgNorth && code <= kEpsgNorth + kZones) return UtmZone{code - kEpsgNorth, true};
+  if (code > kEpsgSouth && code <= kEpsgSouth + kZones) return UtmZone{code - kEpsgSouth, false};
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
+#include "maps/georaster/spatial_reference.h"
 #include "maps/map_file.h"
 
 namespace prairie {
@@ -29,7 +30,6 @@ struct GeoPoint {
   double longitude_deg = 0.0;  // −180…180
 };
 
-inline constexpr double kLeastUtmLatitudeDeg = -80.0, kMostUtmLatitudeDeg = 84.0;
 /// A zone serves as far from its middle; its own half width is 3.
 inline constexpr double kMostDegreesFromMeridian = 9.0;
 

@@ -72,17 +72,27 @@ class OpenInput {
 }  // namespace
 
 InputFile inspect_input(const std::filesystem::path& path, const std::string& field) {
-  const OpenInput file(path, field);
+  return inspect_inputs({path}, field);
+}
+
+InputFile inspect_inputs(const std::vector<std::filesystem::path>& paths, const std::string& field) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
   XXH3_64bits_reset(state.get());
   InputFile result;
   std::vector<char> chunk(kChunkBytes);
-  while (const std::size_t count = file.read(chunk.data(), chunk.size())) {
-    XXH3_64bits_update(state.get(), chunk.data(), count);
-    result.bytes += count;
+  for (const std::filesystem::path& path : paths) {
+    const OpenInput file(path, field);
+    while (const std::size_t count = file.read(chunk.data(), chunk.size())) {
+      XXH3_64bits_update(state.get(), chunk.data(), count);
+      result.bytes += count;
+    }
   }
   result.hash = XXH3_64bits_digest(state.get());
   return result;
+}
+
+void check_input(const std::filesystem::path& path, const std::string& field) {
+  const OpenInput file(path, field);
 }
 
 std::vector<std::byte> read_input(const std::filesystem::path& path, const std::string& field,

@@ -19,6 +19,12 @@ struct InputFile {
 /// for it).
 InputFile inspect_input(const std::filesystem::path& path, const std::string& field);
 
+/// Of several files, one after the other: bytes and hash of all.
+InputFile inspect_inputs(const std::vector<std::filesystem::path>& paths, const std::string& field);
+
+/// Throws as inspect_input does, without reading the file.
+void check_input(const std::filesystem::path& path, const std::string& field);
+
 /// The whole file. Throws BadInput as inspect_input does, and where it is longer than `most_bytes`.
 std::vector<std::byte> read_input(const std::filesystem::path& path, const std::string& field,
                                   std::uint64_t most_bytes);

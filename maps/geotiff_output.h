@@ -1,5 +1,4 @@
-// Grids out as GeoTIFF, encoded in memory by libtiff, which unlike OpenImageIO lets one write the tags that
-// place them on Earth.
+// Grids out as GeoTIFF, encoded in memory by GDAL, with their place on Earth.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +9,8 @@
 
 namespace prairie {
 
-/// One-channel float GeoTIFF of a grid in memory (deflate, predictor 3); NaN becomes nodata −9999 with tag
-/// 42113. `geo_reference` gives tags 33550, 33922 and the CRS keys; without it the grid's own frame does,
-/// without a CRS.
+/// One-channel float GeoTIFF of a grid in memory (deflate, predictor 3); NaN becomes nodata −9999.
+/// `geo_reference` gives its place and coordinate system; without it the grid's own frame does, without one.
 std::vector<std::byte> encode_geotiff(const NodeGrid& grid, const GeoReference* geo_reference);
 
 }  // namespace prairie

@@ -5,7 +5,7 @@
 
 #include "files/error.h"
 #include "maps/map_file.h"
-#include "pictures/raster_file.h"
+#include "maps/stored_raster.h"
 
 namespace prairie {
 
@@ -17,12 +17,12 @@ struct MapChannels {
 
 /// Throws BadInput, listing the file's channels, where the file does not say by itself and `spec` does not
 /// either.
-MapChannels choose_channels(const RasterFile& file, const MapSpec& spec, MapMeaning meaning);
+MapChannels choose_channels(const StoredRaster& raster, const MapSpec& spec, MapMeaning meaning);
 
 /// The fault of a file whose channels differ although nobody said which one is meant.
-BadInput ambiguous_channels(const RasterFile& file, const MapSpec& spec);
+BadInput ambiguous_channels(const StoredRaster& raster, const MapSpec& spec);
 
-/// Whether every pixel is grey and opaque.
-bool all_grey(const MapChannels& channels, std::span<const float> samples);
+/// Whether every pixel is grey and opaque (alpha = its type's largest, or 1).
+bool all_grey(const MapChannels& channels, double opaque, std::span<const double> values);
 
 }  // namespace prairie

@@ -1,21 +1,25 @@
-// Where a raster lies and how large its pixels are: what the scene says, else the GeoTIFF's tags, else a
-// world file.
+// Where a map's nodes lie: what the scene says, else the raster's own geo-reference, else a world file beside
+// it.
 #pragma once
 
 #include <optional>
+#include <string>
 
-#include "maps/geo_tags.h"
+#include "maps/georaster/metric_grid.h"
 #include "maps/map_file.h"
 
 namespace prairie {
 
 struct MapPlacement {
-  double spacing_m = 1.0;
-  std::optional<GeoReference> geo_reference;
+  MetricGrid grid;
+  RasterPlace place;                          // of the pixels, for resampling
+  std::optional<GeoReference> geo_reference;  // none where only the scene says how large the pixels are
 };
 
-/// `tags` may be null; `rows` of the raster, whose first row is north. Throws BadInput where the pixel size
-/// is unknown, not square, not in metres or the raster turned.
-MapPlacement place_map(const MapSpec& spec, const GeoTags* tags, int rows);
+/// Of an image of so many pixels.
+MapPlacement place_image(const MapSpec& spec, int columns, int rows, const std::string& scene_wkt);
+
+/// Both throw BadInput where the pixels' size is unknown, or they lie in nothing that leads to metres.
+MapPlacement place_georaster(const MapSpec& spec, const Georaster& raster, const std::string& scene_wkt);
 
 }  // namespace prairie

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "files/error.h"
@@ -13,13 +14,15 @@ namespace prairie {
 namespace {
 
 constexpr double kCustomaryNodata = -9999.0;
-constexpr float kHugeNodata = 3.4e38f;
+// Of surveys: SRTM and its kin; no ground on Earth lies as low.
+constexpr std::array kCustomaryHeightNodata{-32768.0, -32767.0, -99999.0};
+constexpr double kHugeNodata = 3.4e38;
 constexpr double kMaxDensity = 1e5;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// A nodata value as a file of the given type can hold it.
-double stored(double nodata, SampleType type) {
-  if (type.is_integer()) return nodata;
+double stored_as(double nodata, SampleType type) {
+  if (type.is_integer() || type.bits == 64) return nodata;
   const float value = static_cast<float>(nodata);
   if (type.bits != 16) return static_cast<double>(value);
   std::uint16_t half = 0;
@@ -29,104 +32,139 @@ double stored(double nodata, SampleType type) {
   return static_cast<double>(rounded);
 }
 
+/// 0…1 of an integer, as OpenImageIO makes it.
+float colour_share(double stored, SampleType type) {
+  return static_cast<float>(stored) * (1.0f / static_cast<float>(type.largest));
+}
+
+[[noreturn]] void fail(const MapSpec& spec, const std::string& found, const std::string& expected) {
+  throw BadInput(spec.file.string(), spec.field, found, expected);
+}
+
+void check_range(const MapSpec& spec) {
+  if (!spec.range) return;
+  const auto [low, high] = *spec.range;
+  if (!std::isfinite(low) || !std::isfinite(high) || low == high)
+    fail(spec, fmt::format("`range` of {}, {}", low, high), "two different finite numbers");
+}
+
 }  // namespace
 
-ValueMapping::ValueMapping(const MapSpec& spec, MapMeaning meaning, SampleType type,
-                           std::optional<double> file_nodata)
-    : meaning_(meaning), type_(type) {
-  const auto fail = [&spec](const std::string& found, const std::string& expected) {
-    throw BadInput(spec.file.string(), spec.field, found, expected);
-  };
-  nodata_.push_back(stored(kCustomaryNodata, type));
-  const std::optional<double> nodata = spec.nodata ? spec.nodata : file_nodata;
-  if (nodata && std::isfinite(*nodata)) nodata_.push_back(stored(*nodata, type));
-
-  if (spec.range) {
-    const auto [low, high] = *spec.range;
-    if (!std::isfinite(low) || !std::isfinite(high) || low == high) {
-      fail(fmt::format("`range` of {}, {}", low, high), "two different finite numbers");
+ValueMapping::ValueMapping(const MapSpec& spec, MapMeaning meaning, const StoredChannel& channel)
+    : meaning_(meaning), type_(channel.type), scale_(channel.scale), offset_(channel.offset) {
+  nodata_.push_back(stored_as(kCustomaryNodata, type_));
+  if (meaning == MapMeaning::kHeight) {
+    for (const double nodata : kCustomaryHeightNodata) nodata_.push_back(stored_as(nodata, type_));
+  }
+  const std::optional<double> nodata = spec.nodata ? spec.nodata : channel.nodata;
+  if (nodata && std::isfinite(*nodata)) nodata_.push_back(stored_as(*nodata, type_));
+  check_range(spec);
+  if (spec.scale && (meaning != MapMeaning::kHeight || !(*spec.scale > 0.0) || !std::isfinite(*spec.scale)))
+    fail(spec, fmt::format("`scale` of {}", *spec.scale), "metres per unit of the heights, above 0");
+  if (spec.scale && spec.range) fail(spec, "both `scale` and `range`", "one of them");
+  if (meaning == MapMeaning::kHeight) {
+    take_height(spec);
+    const bool is_told = spec.range || spec.scale || channel.is_measured || !type_.is_integer();
+    if (!is_told) {
+      fail(spec, fmt::format("heights as {}-bit integers", type_.bits),
+           fmt::format("`range`, the heights in metres of the values 0 and {:.0f}", type_.largest));
     }
-    low_ = low;
-    high_ = high;
-  }
-  switch (meaning) {
-    case MapMeaning::kHeight:
-      if (!type.is_integer()) break;
-      if (!spec.range) {
-        fail(fmt::format("heights as {}-bit integers", type.bits),
-             fmt::format("`range`, the heights in metres of the values 0 and {:.0f}", type.largest));
-      }
-      if (std::max(std::abs(low_), std::abs(high_)) > static_cast<double>(kMaxHeight_m)) {
-        fail(fmt::format("`range` of {}, {} m", low_, high_),
-             fmt::format("heights within ±{:.0f} m", kMaxHeight_m));
-      }
-      break;
-    case MapMeaning::kDensity:
-    case MapMeaning::kFactor:
-      if (!spec.range) high_ = type.is_integer() ? type.largest : 1.0;
-      if (!(spec.max >= 0.0 && spec.max <= kMaxDensity)) {
-        fail(fmt::format("`max` of {}", spec.max), fmt::format("a number from 0 to {:.0f}", kMaxDensity));
-      }
-      max_ = spec.max;
-      if (meaning == MapMeaning::kFactor) break;
-      if (!(spec.curve > 0.0) || !std::isfinite(spec.curve)) {
-        fail(fmt::format("`curve` of {}", spec.curve), "a finite number above 0");
-      }
-      curve_ = spec.curve;
-      break;
-    case MapMeaning::kColor:
-      break;
+    scale_ *= channel.metres_per_unit;
+    offset_ *= channel.metres_per_unit;
+  } else if (meaning != MapMeaning::kColor) {
+    take_share(spec);
   }
 }
 
-double ValueMapping::raw(float sample) const {
-  if (!type_.is_integer()) return static_cast<double>(sample);
-  const double value = static_cast<double>(sample) * type_.largest;
-  // A float holds every quotient of 16 bits exactly enough to get the integer back; of 32 bits it does not.
-  return type_.bits <= 16 ? std::nearbyint(value) : value;
-}
-
-bool ValueMapping::is_nodata(float sample) const {
-  if (!(std::abs(sample) < kHugeNodata)) return true;  // NaN and infinities too
-  const double value = raw(sample);
-  const bool blurred = type_.is_integer() && type_.bits > 16;
-  for (const double nodata : nodata_) {
-    const double tolerance = blurred ? std::max(0.5, std::abs(nodata) * 0x1p-23) : 0.0;
-    if (std::abs(value - nodata) <= tolerance) return true;
+void ValueMapping::take_height(const MapSpec& spec) {
+  if (spec.scale) {
+    scale_ *= *spec.scale;
+    offset_ *= *spec.scale;
+    return;
   }
-  return false;
+  if (!spec.range) return;
+  const auto [low, high] = *spec.range;
+  if (std::max(std::abs(low), std::abs(high)) > static_cast<double>(kMaxHeight_m))
+    fail(spec, fmt::format("`range` of {}, {} m", low, high),
+         fmt::format("heights within ±{:.0f} m", kMaxHeight_m));
+  const double largest = type_.is_integer() ? type_.largest : 1.0;
+  const bool has_own_scale = scale_ != 1.0 || offset_ != 0.0;
+  // A range of the stored values themselves says nothing that the file does not say better.
+  if (has_own_scale && low == 0.0 && high == largest) return;
+  if (has_own_scale) {
+    note_ = fmt::format("`range` is used instead of the file's own scale {} and offset {}", scale_, offset_);
+  }
+  scale_ = high - low;
+  divisor_ = largest;
+  offset_ = low;
 }
 
-float ValueMapping::operator()(float sample) const {
-  if (is_nodata(sample)) return kNaN;
+void ValueMapping::take_share(const MapSpec& spec) {
+  const auto [least, most] = std::minmax(quantity(type_.is_integer() ? -type_.largest : 0.0),
+                                         quantity(type_.is_integer() ? type_.largest : 1.0));
+  if (spec.range) {
+    low_ = (*spec.range)[0];
+    high_ = (*spec.range)[1];
+    const bool has_own_scale = scale_ != 1.0 || offset_ != 0.0;
+    if (has_own_scale && type_.is_integer() &&
+        (std::max(low_, high_) > most || std::min(low_, high_) < least)) {
+      note_ = fmt::format(
+          "`range` lies beyond the values that the file's own scale {} and offset {} allow: it is taken for "
+          "one "
+          "of the stored integers",
+          scale_, offset_);
+      scale_ = 1.0;
+      offset_ = 0.0;
+    }
+  } else if (type_.is_integer()) {
+    low_ = quantity(0.0);
+    high_ = quantity(type_.largest);
+  }
+  if (!(spec.max >= 0.0 && spec.max <= kMaxDensity))
+    fail(spec, fmt::format("`max` of {}", spec.max), fmt::format("a number from 0 to {:.0f}", kMaxDensity));
+  max_ = spec.max;
+  if (meaning_ == MapMeaning::kFactor) return;
+  if (!(spec.curve > 0.0) || !std::isfinite(spec.curve))
+    fail(spec, fmt::format("`curve` of {}", spec.curve), "a finite number above 0");
+  curve_ = spec.curve;
+}
+
+bool ValueMapping::is_nodata(double stored) const {
+  if (!(std::abs(stored) < kHugeNodata)) return true;  // NaN and infinities too
+  return std::ranges::find(nodata_, stored) != nodata_.end();
+}
+
+float ValueMapping::operator()(double stored) const {
+  if (is_nodata(stored)) return kNaN;
   switch (meaning_) {
     case MapMeaning::kHeight:
-      if (!type_.is_integer()) return sample;
-      return static_cast<float>(low_ + (high_ - low_) * (raw(sample) / type_.largest));
+      return static_cast<float>(quantity(stored));
     case MapMeaning::kDensity:
     case MapMeaning::kFactor: {
-      const double share = std::clamp((raw(sample) - low_) / (high_ - low_), 0.0, 1.0);
+      const double share = std::clamp((quantity(stored) - low_) / (high_ - low_), 0.0, 1.0);
       return static_cast<float>(max_ * (curve_ == 1.0 ? share : std::pow(share, curve_)));
     }
     case MapMeaning::kColor:
-      return type_.is_integer() && type_.bits <= 16 ? linear_from_srgb(std::max(sample, 0.0f)) : sample;
+      if (!type_.is_integer()) return static_cast<float>(quantity(stored));
+      if (type_.bits > 16) return static_cast<float>(stored / type_.largest);
+      return linear_from_srgb(std::max(colour_share(stored, type_), 0.0f));
   }
   return kNaN;
 }
 
-void ValueMapping::map_pixels(std::span<const float> samples, int sample_channels, int value_channels,
+void ValueMapping::map_pixels(std::span<const double> stored, int stored_channels, int value_channels,
                               std::span<float> values, ValueCensus* census) const {
-  const std::size_t stride = static_cast<std::size_t>(sample_channels);
+  const std::size_t stride = static_cast<std::size_t>(stored_channels);
   const std::size_t channels = static_cast<std::size_t>(value_channels);
   const std::size_t used = std::min(stride, channels);
-  const std::size_t pixels = samples.size() / stride;
+  const std::size_t pixels = stored.size() / stride;
   const bool clamps = meaning_ == MapMeaning::kDensity || meaning_ == MapMeaning::kFactor;
   // A limit that someone wrote in decimals must not exclude the float nearest to it.
   const double slack = 1e-6 * std::abs(high_ - low_);
   const double low = std::min(low_, high_) - slack;
   const double high = std::max(low_, high_) + slack;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    const float* in = samples.data() + pixel * stride;
+    const double* in = stored.data() + pixel * stride;
     float* out = values.data() + pixel * channels;
     bool has_data = true;
     for (std::size_t channel = 0; channel < channels; ++channel) {
@@ -144,7 +182,7 @@ void ValueMapping::map_pixels(std::span<const float> samples, int sample_channel
       census->min = std::min(census->min, out[channel]);
       census->max = std::max(census->max, out[channel]);
     }
-    if (clamps && (raw(in[0]) < low || raw(in[0]) > high)) ++census->out_of_range;
+    if (clamps && (quantity(in[0]) < low || quantity(in[0]) > high)) ++census->out_of_range;
   }
 }
 

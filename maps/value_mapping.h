@@ -1,15 +1,16 @@
-// From the samples of a file to the values of a feature: nodata, range, curve and sRGB, as maps/map_file.h
-// says.
+// From the values that a file stores to the values of a feature: nodata, scale, unit, range, curve and sRGB,
+// as maps/map_file.h says.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "maps/map_file.h"
-#include "pictures/raster_file.h"
+#include "maps/stored_raster.h"
 
 namespace prairie {
 
@@ -24,29 +25,37 @@ struct ValueCensus {
 
 class ValueMapping {
  public:
-  /// `file_nodata`: the file's own. Throws BadInput where the spec's numbers or the file's type do not allow
-  /// a mapping.
-  ValueMapping(const MapSpec& spec, MapMeaning meaning, SampleType type, std::optional<double> file_nodata);
+  /// Throws BadInput where the spec's numbers or the channel's type do not allow a mapping.
+  ValueMapping(const MapSpec& spec, MapMeaning meaning, const StoredChannel& channel);
 
-  /// The feature's value of a sample (integers as v / largest); NaN = no data.
-  float operator()(float sample) const;
+  /// The feature's value of a stored one; NaN = no data.
+  float operator()(double stored) const;
 
-  /// Maps pixels of `sample_channels` samples, the first `value_channels` of each, to pixels of as many
-  /// values (one sample may become several equal values). A pixel has data only if all its samples have.
-  void map_pixels(std::span<const float> samples, int sample_channels, int value_channels,
+  /// Maps pixels of `stored_channels` values, the first `value_channels` of each, to pixels of as many
+  /// values (one stored value may become several equal ones). A pixel has data only if all its values have.
+  void map_pixels(std::span<const double> stored, int stored_channels, int value_channels,
                   std::span<float> values, ValueCensus* census) const;
 
+  /// Where the file's own scale and offset are set aside for the scene's range: one line; else empty.
+  const std::string& note() const { return note_; }
+
  private:
-  bool is_nodata(float sample) const;
-  double raw(float sample) const;
+  bool is_nodata(double stored) const;
+  void take_height(const MapSpec& spec);
+  void take_share(const MapSpec& spec);
+  double quantity(double stored) const { return offset_ + scale_ * (stored / divisor_); }
 
   MapMeaning meaning_;
   SampleType type_;
-  std::vector<double> nodata_;  // as raw values
+  std::vector<double> nodata_;  // as stored values
+  double scale_ = 1.0;          // heights: metres of a stored value; shares: its quantity
+  double offset_ = 0.0;
+  double divisor_ = 1.0;
   double low_ = 0.0;
   double high_ = 1.0;
   double curve_ = 1.0;
   double max_ = 1.0;
+  std::string note_;
 };
 
 /// The heights that a map may hold, metres: far beyond any planet's, near enough to expose a forgotten nodata

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
+#include <string_view>
 #include <utility>
 
 #include "files/error.h"
@@ -42,6 +44,28 @@ bool succeeds(const Call& call, std::string* error) {
   }
 }
 
+PixelRect common_part(const PixelRect& a, const PixelRect& b) {
+  const int left = std::max(a.x, b.x), top = std::max(a.y, b.y);
+  return {left, top, std::min(a.x + a.width, b.x + b.width) - left,
+          std::min(a.y + a.height, b.y + b.height) - top};
+}
+
+/// The samples of `part` of `rect`.
+std::vector<float> cut(const PixelRect& rect, const PixelRect& part, std::span<const float> samples,
+                       int channels) {
+  std::vector<float> result;
+  const auto stride = static_cast<std::size_t>(channels);
+  for (int row = 0; row < part.height; ++row) {
+    const std::size_t first =
+        static_cast<std::size_t>(part.y - rect.y + row) * static_cast<std::size_t>(rect.width) +
+        static_cast<std::size_t>(part.x - rect.x);
+    const std::span<const float> line =
+        samples.subspan(first * stride, static_cast<std::size_t>(part.width) * stride);
+    result.insert(result.end(), line.begin(), line.end());
+  }
+  return result;
+}
+
 }  // namespace
 
 RasterFile::RasterFile(const std::filesystem::path& path, const std::string& field, std::uint64_t file_bytes)
@@ -68,6 +92,7 @@ RasterFile::RasterFile(const std::filesystem::path& path, const std::string& fie
   }
   spec_ = input_->spec();
   check_claims(file_bytes);
+  look_at_layout();
 }
 
 RasterFile::~RasterFile() {
@@ -104,6 +129,33 @@ void RasterFile::check_claims(std::uint64_t file_bytes) const {
     fail(fmt::format("tiles of {} × {} pixels", s.tile_width, s.tile_height),
          fmt::format("tiles of at most {} MB", kMaxTileBytes >> 20));
   }
+}
+
+void RasterFile::look_at_layout() {
+  data_window_ = {0, 0, spec_.width, spec_.height};
+  orientation_ = {spec_.get_int_attribute("Orientation", 1), spec_.width, spec_.height};
+  const bool has_display_window = std::string_view(input_->format_name()) == "openexr";
+  if (!has_display_window) return;
+  const std::int64_t x = std::int64_t{spec_.x} - spec_.full_x, y = std::int64_t{spec_.y} - spec_.full_y;
+  if (spec_.full_width < 1 || spec_.full_height < 1 || spec_.full_width > kMaxSide ||
+      spec_.full_height > kMaxSide)
+    fail(fmt::format("a picture of {} × {} pixels", spec_.full_width, spec_.full_height),
+         fmt::format("1 to {} pixels a side", kMaxSide));
+  if (std::abs(x) > kMaxSide || std::abs(y) > kMaxSide)
+    fail(fmt::format("pixels {}, {} beyond the picture", x, y), "pixels within the picture");
+  const std::uint64_t picture_pixels =
+      static_cast<std::uint64_t>(spec_.full_width) * static_cast<std::uint64_t>(spec_.full_height);
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(spec_.width) * static_cast<std::uint64_t>(spec_.height);
+  constexpr std::uint64_t kMostMargin = 256;  // times the pixels that there are
+  if (picture_pixels > kHarmlessBytes && picture_pixels / kMostMargin > pixels)
+    fail(fmt::format("{} × {} pixels in a picture of {} × {}", spec_.width, spec_.height, spec_.full_width,
+                     spec_.full_height),
+         "pixels that fill the picture");
+  data_window_.x = static_cast<int>(x);
+  data_window_.y = static_cast<int>(y);
+  orientation_.stored_columns = spec_.full_width;
+  orientation_.stored_rows = spec_.full_height;
 }
 
 SampleType RasterFile::sample_type(int channel) const {
@@ -150,11 +202,39 @@ void RasterFile::checked(const std::function<bool()>& read) {
   if (!ok || !pending.empty()) fail(pending.empty() ? error : pending, kWholeImage);
 }
 
-void RasterFile::read(ChannelRun channels, const Sink& sink) {
+void RasterFile::fill_margins(ChannelRun channels, const Sink& sink, float outside) const {
+  const int columns = orientation_.stored_columns, rows = orientation_.stored_rows;
+  const PixelRect& w = data_window_;
+  const int top = std::clamp(w.y, 0, rows), bottom = std::clamp(w.y + w.height, top, rows);
+  const int left = std::clamp(w.x, 0, columns), right = std::clamp(w.x + w.width, left, columns);
+  for (const PixelRect& margin :
+       {PixelRect{0, 0, columns, top}, PixelRect{0, bottom, columns, rows - bottom},
+        PixelRect{0, top, left, bottom - top}, PixelRect{right, top, columns - right, bottom - top}}) {
+    for (int row = 0; row < margin.height && margin.width > 0; ++row) {
+      const std::vector<float> nothing(
+          static_cast<std::size_t>(margin.width) * static_cast<std::size_t>(channels.count), outside);
+      sink({margin.x, margin.y + row, margin.width, 1}, nothing);
+    }
+  }
+}
+
+void RasterFile::read(ChannelRun channels, const Sink& sink, float outside) {
+  const auto turn = [&](const PixelRect& rect, std::span<const float> samples) {
+    if (orientation_.is_upright()) return sink(rect, samples);
+    sink(upright_rect(orientation_, rect), upright_samples(orientation_, rect, samples, channels.count));
+  };
+  const PixelRect whole{0, 0, orientation_.stored_columns, orientation_.stored_rows};
+  const auto place = [&](const PixelRect& rect, std::span<const float> samples) {
+    const PixelRect placed{rect.x + data_window_.x, rect.y + data_window_.y, rect.width, rect.height};
+    const PixelRect kept = common_part(placed, whole);
+    if (kept.width == placed.width && kept.height == placed.height) return turn(placed, samples);
+    if (kept.width > 0 && kept.height > 0) turn(kept, cut(placed, kept, samples, channels.count));
+  };
+  fill_margins(channels, turn, outside);
   if (spec_.tile_width > 0) {
-    read_tiles(channels, sink);
+    read_tiles(channels, place);
   } else {
-    read_scanlines(channels, sink);
+    read_scanlines(channels, place);
   }
 }
 

@@ -35,7 +35,8 @@ Map MapLoader::read(const MapSpec& spec, MapMeaning meaning) {
   assert(remaining_maps_ > 0);
   // Half of the share stays free for the work on the map: moving it, filling its gaps.
   const std::uint64_t share_bytes = remaining_bytes_ / static_cast<std::uint64_t>(remaining_maps_) / 2;
-  Map map = read_map(spec, meaning, share_bytes);
+  const GeoReference* scene = findings_.geo_reference ? &*findings_.geo_reference : nullptr;
+  Map map = read_map(spec, meaning, share_bytes, scene);
   --remaining_maps_;
   remaining_bytes_ -= std::min(remaining_bytes_, node_bytes(map.grid));
   findings_.content_hashes[spec.field] = map.content_hash;

@@ -8,13 +8,8 @@
 namespace prairie {
 namespace {
 
-// GeoTIFF keys come in fours after a header of four; 3072 names the projected coordinate system.
 bool names_coordinate_system(const GeoReference& reference) {
-  constexpr std::uint16_t kProjectedCoordinateSystem = 3072;
-  for (std::size_t k = 4; k + 3 < reference.geo_keys.size(); k += 4) {
-    if (reference.geo_keys[k] == kProjectedCoordinateSystem) return true;
-  }
-  return false;
+  return !reference.wkt.empty();
 }
 
 const char* name_of(MoverKind kind) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -16,8 +17,10 @@
 #include "app/terminal/usage_error.h"
 #include "files/atomic_file.h"
 #include "files/mapped_file.h"
+#include "maps/georaster/vrt_sources.h"
 #include "maps/geotiff_output.h"
-#include "maps/world_file.h"
+#include "maps/map_decoding.h"
+#include "maps/map_files.h"
 #include "pictures/picture_encoding.h"
 #include "world/example_meadow.h"
 #include "world/world.h"
@@ -48,6 +51,8 @@ class SceneFiles {
 
   template <typename Bytes>
   void write(const std::string& name, const Bytes& bytes) {
+    std::error_code ignored;  // the write tells of a folder that could not be made
+    fs::create_directories((staging_ / name).parent_path(), ignored);
     write_file_atomically(staging_ / name, bytes);
     names_.push_back(name);
   }
@@ -58,6 +63,7 @@ class SceneFiles {
     write(kSceneFileName, std::string_view(scene_text));
     for (const std::string& name : names_) {
       std::error_code error;
+      fs::create_directories((folder_ / name).parent_path(), error);
       fs::rename(staging_ / name, folder_ / name, error);
       if (error)
         throw OutputFailure((folder_ / name).string(), "", error.message(), "a file that can be replaced");
@@ -134,17 +140,34 @@ struct Copy {
   std::string name;
 };
 
-// The raster, and the world file that says where it lies.
-std::vector<Copy> copies_of(const fs::path& file, const std::string& name, const NewSceneRequest& request) {
+// The name of a tile of SRTM says where it lies.
+bool is_named_by_place(const fs::path& file) {
+  const std::string suffix = file.extension().string();
+  return suffix == ".hgt" || suffix == ".HGT";
+}
+
+// The raster's companions are found by its name, or, those of a VRT, by their places below it.
+std::vector<Copy> copies_of(const fs::path& file, const std::string& name, const std::string& field,
+                            const NewSceneRequest& request) {
   std::vector<Copy> copies{{file, name}};
-  if (const auto world_file = find_world_file(file)) {
-    copies.push_back({*world_file, fs::path(name).replace_extension(world_file->extension()).string()});
+  const std::string stem = file.stem().string();
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  for (const fs::path& companion : companions_of(file, field)) {
+    const std::string own_name = companion.filename().string();
+    std::error_code ignored;
+    const bool is_beside =
+        fs::equivalent(companion.parent_path().empty() ? fs::path(".") : companion.parent_path(), folder,
+                       ignored) &&
+        own_name.starts_with(stem + ".") && !is_vrt(companion);
+    const fs::path copied = is_beside ? fs::path(fs::path(name).stem().string() + own_name.substr(stem.size()))
+                                      : fs::relative(companion, fs::canonical(folder, ignored), ignored);
+    copies.push_back({companion, copied.string()});
   }
-  const auto present = find_world_file(request.folder / name);
-  const bool is_replaced = present && copies.size() > 1 && present->filename() == copies.back().name;
-  if (present && !is_replaced) {
+  for (const fs::path& companion : companions_of(request.folder / name, field)) {
+    const auto is_it = [&](const Copy& copy) { return companion == request.folder / copy.name; };
+    if (std::ranges::any_of(copies, is_it)) continue;
     throw UsageError(kFolderArgument,
-                     fmt::format("'{}', which would be read beside {}", present->string(), name),
+                     fmt::format("'{}', which would be read beside {}", companion.string(), name),
                      "a folder without it");
   }
   return copies;
@@ -157,11 +180,15 @@ double to_tenths(double value) {
 struct Found {
   CameraSpec camera;
   glm::dvec2 extent_m;
+  std::vector<std::string> warnings;
 };
 
 // Opens the scene with the rasters where they lie now, and has it find a place to stand.
 Found found_camera(const NewSceneRequest& request, Scene scene) {
-  if (request.height_file) scene.height->file = *request.height_file;
+  if (scene.height) {
+    scene.height->file = request.height_files.front();
+    scene.height->more_files.assign(request.height_files.begin() + 1, request.height_files.end());
+  }
   if (request.density) scene.species.front().density->file = request.density->file;
   WorldOptions options;
   options.memory_budget_bytes = request.memory_budget_bytes;
@@ -169,38 +196,94 @@ Found found_camera(const NewSceneRequest& request, Scene scene) {
   CameraSpec camera = world.scene().cameras.front();
   camera.position_m = {to_tenths(camera.position_m.x), to_tenths(camera.position_m.y)};
   camera.pitch_deg = to_tenths(camera.pitch_deg);
-  return {camera, world.meadow().extent_m};
+  return {camera, world.meadow().extent_m, world.warnings()};
 }
 
-void write_from_rasters(const NewSceneRequest& request) {
+MapSpec spec_of_ground(const NewSceneRequest& request) {
+  MapSpec spec;
+  spec.file = request.height_files.front();
+  spec.more_files.assign(request.height_files.begin() + 1, request.height_files.end());
+  spec.field = "height.file";
+  spec.spacing_m = request.height_spacing_m;
+  spec.size_px = request.height_size_px;
+  spec.crs = request.height_crs;
+  return spec;
+}
+
+// A mask without a place that comes with a ground belongs onto it, as terrain tools deliver them. Returns
+// what was done, if anything was.
+std::string fit_density(NewSceneRequest& request) {
+  DensityRequest& density = *request.density;
+  if (density.spacing_m) return "";
+  if (request.height_files.empty()) {
+    // Level ground has no other map that says how large a pixel is.
+    density.spacing_m = request.height_spacing_m;
+    return "";
+  }
+  MapSpec spec;
+  spec.file = density.file;
+  spec.field = "species.0.density.file";
+  const MapLayout mask = layout_of_map({.spec = spec, .meaning = MapMeaning::kDensity, .scene_wkt = ""});
+  if (mask.spacing_m) return "";
+  const MapLayout ground =
+      layout_of_map({.spec = spec_of_ground(request), .meaning = MapMeaning::kHeight, .scene_wkt = ""});
+  if (!ground.spacing_m) return "";  // which opening the scene refuses, with its reason
+  const double east_m = *ground.spacing_m * ground.columns / mask.columns;
+  const double north_m = *ground.spacing_m * ground.rows / mask.rows;
+  constexpr double kSameShape = 0.02;
+  if (std::abs(east_m - north_m) > kSameShape * east_m) {
+    throw BadInput(density.file.string(), spec.field,
+                   fmt::format("{} × {} pixels for a ground of {} × {} nodes", mask.columns, mask.rows,
+                               ground.columns, ground.rows),
+                   "a mask of the ground's shape, or --density-spacing, the metres between its pixels");
+  }
+  density.spacing_m = east_m;
+  return fmt::format("{}: the density tells no place: fitted to the ground, {:.6g} m between its pixels",
+                     density.file.string(), east_m);
+}
+
+std::vector<std::string> write_from_rasters(NewSceneRequest request) {
+  std::vector<std::string> notes;
+  if (request.density) notes.push_back(fit_density(request));
   RasterNames names;
   std::vector<Copy> copies;
-  const auto plan_copies = [&](const fs::path& file, const char* stem) {
-    const std::string name = copy_name(stem, file);
-    for (Copy& copy : copies_of(file, name, request)) copies.push_back(std::move(copy));
+  const auto plan_copies = [&](const fs::path& file, const std::string& name, const char* field) {
+    for (Copy& copy : copies_of(file, name, field, request)) copies.push_back(std::move(copy));
     return name;
   };
-  if (request.height_file) names.height = plan_copies(*request.height_file, "height");
-  if (request.density) names.density = plan_copies(request.density->file, "density");
+  if (!request.height_files.empty()) {
+    MapSpec spec = spec_of_ground(request);
+    request.height_files = files_of_map(spec);
+    for (const fs::path& file : request.height_files) {
+      const bool is_alone = request.height_files.size() == 1;
+      names.heights.push_back(plan_copies(
+          file, is_alone && !is_named_by_place(file) ? copy_name("height", file) : file.filename().string(),
+          "height.file"));
+    }
+  }
+  if (request.density)
+    names.density = plan_copies(request.density->file, copy_name("density", request.density->file),
+                                "species.0.density.file");
   Scene scene = raster_scene(request, names);
-  const auto [camera, extent_m] = found_camera(request, scene);
-  scene.cameras = {camera};
-  add_walkers(scene, request.walkers, extent_m);
+  Found found = found_camera(request, scene);
+  scene.cameras = {found.camera};
+  add_walkers(scene, request.walkers, found.extent_m);
   SceneFiles files(request.folder);
   for (const Copy& copy : copies) files.copy(copy.source, copy.name);
   files.finish(scene_text(scene, raster_notes(request)));
+  notes.insert(notes.end(), found.warnings.begin(), found.warnings.end());
+  std::erase(notes, "");
+  return notes;
 }
 
 }  // namespace
 
-void new_scene(const NewSceneRequest& request) {
+std::vector<std::string> new_scene(const NewSceneRequest& request) {
   refuse_bad_numbers(request);
   refuse_occupied_folder(request);
-  if (request.height_file || request.density) {
-    write_from_rasters(request);
-  } else {
-    write_example(request);
-  }
+  if (!request.height_files.empty() || request.density) return write_from_rasters(request);
+  write_example(request);
+  return {};
 }
 
 }  // namespace prairie

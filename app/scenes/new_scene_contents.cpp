@@ -64,19 +64,26 @@ Scene example_scene(const NewSceneRequest& request, const ExampleMeadow& meadow)
 
 Scene raster_scene(const NewSceneRequest& request, const RasterNames& names) {
   Scene scene = scene_in(request);
-  if (request.height_file) {
-    scene.height = map_of(scene, names.height, "height.file");
+  if (!names.heights.empty()) {
+    scene.height = map_of(scene, names.heights.front(), "height.file");
+    for (std::size_t k = 1; k < names.heights.size(); ++k)
+      scene.height->more_files.push_back(scene.folder / names.heights[k]);
     scene.height->spacing_m = request.height_spacing_m;
     scene.height->range = request.height_range_m;
+    scene.height->scale = request.height_scale;
+    scene.height->nodata = request.height_nodata;
+    scene.height->size_px = request.height_size_px;
+    scene.height->crs = request.height_crs;
   }
   SpeciesSpec fescue = species_of("fescue", fescue_params());
   if (request.density) {
     fescue.density = map_of(scene, names.density, "species.0.density.file");
+    fescue.density->channel = request.density->channel;
     fescue.density->range = request.density->range;
+    fescue.density->nodata = request.density->nodata;
     fescue.density->curve = request.density->curve;
     fescue.density->max = request.density->max_per_m2;
-    // Level ground has no other map that says how large a pixel is.
-    if (!request.height_file) fescue.density->spacing_m = request.height_spacing_m;
+    fescue.density->spacing_m = request.density->spacing_m;
   }
   scene.species = {fescue};
   return scene;

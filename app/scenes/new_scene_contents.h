@@ -3,6 +3,7 @@
 
 #include <glm/vec2.hpp>
 #include <string>
+#include <vector>
 
 #include "app/scenes/new_scene.h"
 #include "world/example_meadow.h"
@@ -20,7 +21,7 @@ Scene example_scene(const NewSceneRequest& request, const ExampleMeadow& meadow)
 
 /// Names of the copies of a person's rasters in the scene's folder; empty where there is none.
 struct RasterNames {
-  std::string height;
+  std::vector<std::string> heights;
   std::string density;
 };
 

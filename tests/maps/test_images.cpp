@@ -11,7 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "maps/geotiff_tags.h"
+#include "tests/maps/geotiff_tags.h"
 
 namespace prairie::testing {
 namespace {
