@@ -14,6 +14,8 @@
 
 namespace prairie {
 
+class WorkerProcess;
+
 /// How a raster's values become a feature's values; every member that is not set is found out from the file.
 struct MapSpec {
   std::filesystem::path file;  // absolute, or relative to the process; or a folder of rasters
@@ -57,9 +59,9 @@ struct Map {
 /// Reads a map within `budget_bytes`; the nodes of one that would not fit go to a temporary file. Image row 0
 /// is north unless the file says otherwise. Three equal channels count as one; others need `channel`. Nodata:
 /// −9999, ≤ −3.4e38, NaN, the file's own value and, in heights, the customary ones of surveys. A raster that
-/// does not lie straight in true metres is resampled, into the system of `scene` where it has one. Throws
-/// BadInput.
+/// does not lie straight in true metres is resampled, into the system of `scene` where it has one. Decoded by
+/// `decoder` (maps/map_work.h), or in this process where there is none. Throws BadInput.
 Map read_map(const MapSpec& spec, MapMeaning meaning, std::uint64_t budget_bytes,
-             const GeoReference* scene = nullptr);
+             const GeoReference* scene = nullptr, WorkerProcess* decoder = nullptr);
 
 }  // namespace prairie

@@ -28,15 +28,15 @@ std::string where_it_lies(const GridFrame& frame) {
 
 }  // namespace
 
-MapLoader::MapLoader(std::uint64_t budget_bytes, int map_count)
-    : remaining_bytes_(budget_bytes), remaining_maps_(map_count) {}
+MapLoader::MapLoader(std::uint64_t budget_bytes, int map_count, WorkerProcess* decoder)
+    : remaining_bytes_(budget_bytes), remaining_maps_(map_count), decoder_(decoder) {}
 
 Map MapLoader::read(const MapSpec& spec, MapMeaning meaning) {
   assert(remaining_maps_ > 0);
   // Half of the share stays free for the work on the map: moving it, filling its gaps.
   const std::uint64_t share_bytes = remaining_bytes_ / static_cast<std::uint64_t>(remaining_maps_) / 2;
   const GeoReference* scene = findings_.geo_reference ? &*findings_.geo_reference : nullptr;
-  Map map = read_map(spec, meaning, share_bytes, scene);
+  Map map = read_map(spec, meaning, share_bytes, scene, decoder_);
   --remaining_maps_;
   remaining_bytes_ -= std::min(remaining_bytes_, node_bytes(map.grid));
   findings_.content_hashes[spec.field] = map.content_hash;

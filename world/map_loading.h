@@ -34,8 +34,9 @@ struct MapFindings {
 
 class MapLoader {
  public:
-  /// The budget is shared by `map_count` maps; what one leaves unused goes to those after it.
-  MapLoader(std::uint64_t budget_bytes, int map_count);
+  /// The budget is shared by `map_count` maps; what one leaves unused goes to those after it. `decoder`: as
+  /// for read_map.
+  MapLoader(std::uint64_t budget_bytes, int map_count, WorkerProcess* decoder = nullptr);
 
   /// The map that the ground comes from: its south-west node is the scene's origin.
   NodeGrid load_ground(const MapSpec& spec);
@@ -55,6 +56,7 @@ class MapLoader {
 
   std::uint64_t remaining_bytes_;
   int remaining_maps_;
+  WorkerProcess* decoder_;
   bool has_ground_map_ = false;
   MapFindings findings_;
 };

@@ -93,7 +93,7 @@ Crowd crowd_of(const Scene& scene, const Meadow& meadow, const Gait& gait) {
 
 World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)) {
   if (options.seed) scene_.seed = *options.seed;
-  MapLoader loader(options.memory_budget_bytes, count_maps(scene_));
+  MapLoader loader(options.memory_budget_bytes, count_maps(scene_), options.decoder);
   meadow_ = load_meadow(scene_, loader);
   MapFindings& findings = loader.findings();
   if (scene_.wind && scene_.wind->file) {

@@ -24,11 +24,13 @@
 namespace prairie {
 
 class Motion;
+class WorkerProcess;
 
 struct WorldOptions {
   std::optional<std::uint64_t> seed;               // overrides the scene's
   std::uint64_t memory_budget_bytes = 2ull << 30;  // for maps
   std::optional<Gait> gait;                        // of walkers, instead of the one that comes along
+  WorkerProcess* decoder = nullptr;                // does world/decoder.h's works; none: this process does
 };
 
 class World {

@@ -50,6 +50,7 @@ int make_scene(const NewOptions& options, const GlobalOptions& globals) {
   request.height_files.assign(options.height_files.begin(), options.height_files.end());
   request.seed = globals.seed.value_or(request.seed);
   request.memory_budget_bytes = globals.max_memory_bytes;
+  request.decoder = globals.decoder;
   for (const std::string& warning : new_scene(request)) {
     if (!globals.quiet) say_warning(warning);
   }

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <string_view>
 
 #include "app/commands/command_line.h"
 #include "app/commands/kept_memory.h"
@@ -14,15 +15,23 @@
 #include "app/terminal/messages.h"
 #include "app/terminal/usage_error.h"
 #include "files/error.h"
+#include "world/decoder.h"
 #include "world/scene/scene.h"
 
 namespace prairie {
 namespace {
 
 int run(int argc, const char* const* argv) {
+  if (argc == 2 && std::string_view(argv[1]) == kDecodeArgument) {
+    serve_requests(decoding_work());
+    return kExitFine;
+  }
+  // Forked off while there is one thread and hardly any memory to copy.
+  WorkerProcess decoder(decoding_work());
   keep_freed_memory();
   watch_for_interruption();
-  const CommandLine line = read_command_line(argc, argv);
+  CommandLine line = read_command_line(argc, argv);
+  line.globals.decoder = &decoder;
   std::optional<tbb::global_control> thread_limit;
   if (line.globals.threads) {
     thread_limit.emplace(tbb::global_control::max_allowed_parallelism,

@@ -19,8 +19,8 @@
 #include "files/mapped_file.h"
 #include "maps/georaster/vrt_sources.h"
 #include "maps/geotiff_output.h"
-#include "maps/map_decoding.h"
 #include "maps/map_files.h"
+#include "maps/map_work.h"
 #include "pictures/picture_encoding.h"
 #include "world/example_meadow.h"
 #include "world/world.h"
@@ -159,8 +159,9 @@ std::vector<Copy> copies_of(const fs::path& file, const std::string& name, const
         fs::equivalent(companion.parent_path().empty() ? fs::path(".") : companion.parent_path(), folder,
                        ignored) &&
         own_name.starts_with(stem + ".") && !is_vrt(companion);
-    const fs::path copied = is_beside ? fs::path(fs::path(name).stem().string() + own_name.substr(stem.size()))
-                                      : fs::relative(companion, fs::canonical(folder, ignored), ignored);
+    const fs::path copied = is_beside
+                                ? fs::path(fs::path(name).stem().string() + own_name.substr(stem.size()))
+                                : fs::relative(companion, fs::canonical(folder, ignored), ignored);
     copies.push_back({companion, copied.string()});
   }
   for (const fs::path& companion : companions_of(request.folder / name, field)) {
@@ -192,6 +193,7 @@ Found found_camera(const NewSceneRequest& request, Scene scene) {
   if (request.density) scene.species.front().density->file = request.density->file;
   WorldOptions options;
   options.memory_budget_bytes = request.memory_budget_bytes;
+  options.decoder = request.decoder;
   const World world(std::move(scene), options);
   CameraSpec camera = world.scene().cameras.front();
   camera.position_m = {to_tenths(camera.position_m.x), to_tenths(camera.position_m.y)};
@@ -223,10 +225,11 @@ std::string fit_density(NewSceneRequest& request) {
   MapSpec spec;
   spec.file = density.file;
   spec.field = "species.0.density.file";
-  const MapLayout mask = layout_of_map({.spec = spec, .meaning = MapMeaning::kDensity, .scene_wkt = ""});
+  const MapLayout mask =
+      layout_of_map({.spec = spec, .meaning = MapMeaning::kDensity, .scene_wkt = ""}, request.decoder);
   if (mask.spacing_m) return "";
-  const MapLayout ground =
-      layout_of_map({.spec = spec_of_ground(request), .meaning = MapMeaning::kHeight, .scene_wkt = ""});
+  const MapLayout ground = layout_of_map(
+      {.spec = spec_of_ground(request), .meaning = MapMeaning::kHeight, .scene_wkt = ""}, request.decoder);
   if (!ground.spacing_m) return "";  // which opening the scene refuses, with its reason
   const double east_m = *ground.spacing_m * ground.columns / mask.columns;
   const double north_m = *ground.spacing_m * ground.rows / mask.rows;

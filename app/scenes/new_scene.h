@@ -12,6 +12,8 @@
 
 namespace prairie {
 
+class WorkerProcess;
+
 /// How a person's density raster becomes blades per m²: max · clamp((v − LO)/(HI − LO), 0, 1)^curve.
 struct DensityRequest {
   std::filesystem::path file;
@@ -39,6 +41,7 @@ struct NewSceneRequest {
   std::optional<DensityRequest> density;             // without it, a height file gets a uniform sward
   std::uint32_t walkers = 0;                         // in a group that wanders before the default camera
   std::uint64_t memory_budget_bytes = 2ull << 30;
+  WorkerProcess* decoder = nullptr;  // as of WorldOptions
 };
 
 /// Writes DIR/scene.toml and its maps; the same bytes for the same request. scene.toml comes last: a folder

@@ -13,6 +13,7 @@ World open_world(const std::filesystem::path& folder, const GlobalOptions& globa
   options.gait = std::move(gait);
   options.seed = globals.seed;
   options.memory_budget_bytes = globals.max_memory_bytes;
+  options.decoder = globals.decoder;
   World world(read_scene(folder, globals.overrides), options);
   if (!globals.quiet) {
     for (const std::string& warning : world.warnings()) say_warning(warning);

@@ -8,6 +8,8 @@
 
 namespace prairie {
 
+class WorkerProcess;
+
 struct GlobalOptions {
   std::optional<std::uint64_t> seed;  // overrides the scene's
   std::optional<int> threads;         // unset: as many as there are cores
@@ -15,6 +17,7 @@ struct GlobalOptions {
   std::uint64_t max_memory_bytes = 2ull << 30;
   std::vector<std::string> overrides;  // "key=value" of the scene
   bool quiet = false;
+  WorkerProcess* decoder = nullptr;  // opens what other people have made
 };
 
 }  // namespace prairie

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "maps/georaster/spatial_reference.h"
 #include "maps/geotiff_output.h"
 #include "tests/fuzz/corpus.h"
 
@@ -58,9 +59,7 @@ std::vector<Input> make_corpus() {
   files.push_back(encoded("jpg", 3, TypeDesc::UINT8, nullptr, 0));
 
   GeoReference reference;
-  reference.geo_keys = {1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32614};
-  reference.geo_doubles = {1.0, 2.0};
-  reference.geo_ascii = "WGS 84|";
+  reference.wkt = SpatialReference::of_name("EPSG:32614")->wkt();
   std::vector<float> heights(kSide * kSide, 300.0f);
   heights[7] = std::nanf("");
   const NodeGrid grid({kSide, kSide, 1.0, {0.0, 0.0}, false}, 1, std::move(heights));

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "files/error.h"
+#include "maps/georaster/spatial_reference.h"
 #include "maps/geotiff_output.h"
 #include "tests/maps/test_images.h"
 
@@ -84,9 +85,7 @@ TEST(ImageOutput, GeoTiffKeepsPlaceNodataAndCoordinateSystem) {
   reference.pixel_size_m = 0.5;
   reference.west_m = 702000.25;
   reference.south_m = 4333000.25;
-  reference.geo_keys = {1, 1, 0, 4, 1024, 0, 1, 1, 1025, 0, 1, 2, 1026, 34737, 21, 0, 3072, 0, 1, 32614};
-  reference.geo_doubles = {6378137.0, 298.257223563};
-  reference.geo_ascii = "WGS 84 / UTM zone 14N|";
+  reference.wkt = SpatialReference::of_name("EPSG:32614")->wkt();
   testing::write_bytes(folder / "g.tif", encode_geotiff(grid, &reference));
 
   MapSpec spec = spec_of(folder / "g.tif");
@@ -103,11 +102,7 @@ TEST(ImageOutput, GeoTiffKeepsPlaceNodataAndCoordinateSystem) {
   ASSERT_TRUE(map.geo_reference.has_value());
   EXPECT_EQ(map.geo_reference->west_m, reference.west_m);
   EXPECT_EQ(map.geo_reference->south_m, reference.south_m);
-  EXPECT_EQ(map.geo_reference->geo_doubles, reference.geo_doubles);
-  EXPECT_EQ(map.geo_reference->geo_ascii, reference.geo_ascii);
-  std::vector<std::uint16_t> keys = reference.geo_keys;
-  keys[11] = 1;  // written as areas
-  EXPECT_EQ(map.geo_reference->geo_keys, keys);
+  EXPECT_EQ(SpatialReference::of_wkt(map.geo_reference->wkt)->epsg(), 32614);
 }
 
 TEST(ImageOutput, GeoTiffWithoutReferenceLiesWhereItsFrameDoes) {

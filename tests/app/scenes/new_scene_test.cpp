@@ -90,7 +90,7 @@ TEST(NewScene, StartsFromAPersonsRasters) {
   const TemporaryFolder folder;
   write_survey(folder);
   NewSceneRequest request = request_for(folder / "konza");
-  request.height_file = folder / "dtm.tif";
+  request.height_files = {folder / "dtm.tif"};
   request.density =
       DensityRequest{.file = folder / "ndvi.tif", .range = {{0.2, 0.9}}, .curve = 1.5, .max_per_m2 = 800};
   new_scene(request);
@@ -113,7 +113,7 @@ TEST(NewScene, HeightAloneGetsAUniformSward) {
   const TemporaryFolder folder;
   write_survey(folder);
   NewSceneRequest request = request_for(folder / "a");
-  request.height_file = folder / "dtm.tif";
+  request.height_files = {folder / "dtm.tif"};
   new_scene(request);
   const World world(read_scene(folder / "a", {}), {});
   EXPECT_TRUE(world.meadow().species[0].density_per_m2.is_uniform());
@@ -157,7 +157,7 @@ TEST(NewScene, RefusesAStrangersWorldFileBesideTheCopy) {
   testing::write_text(folder / "a/height.tfw", "3\n0\n0\n-3\n1000\n2045\n");
   NewSceneRequest request = request_for(folder / "a");
   request.force = true;
-  request.height_file = folder / "dtm.tif";
+  request.height_files = {folder / "dtm.tif"};
   EXPECT_THROW(new_scene(request), UsageError);
 }
 
@@ -165,7 +165,7 @@ TEST(NewScene, LeavesNothingBehindWhenARasterIsBad) {
   const TemporaryFolder folder;
   testing::write_text(folder / "broken.tif", "II*\0 and then nothing");
   NewSceneRequest request = request_for(folder / "a");
-  request.height_file = folder / "broken.tif";
+  request.height_files = {folder / "broken.tif"};
   try {
     new_scene(request);
     FAIL();
@@ -173,7 +173,7 @@ TEST(NewScene, LeavesNothingBehindWhenARasterIsBad) {
     EXPECT_EQ(fault.file, (folder / "broken.tif").string()) << "the person's file, not a copy";
   }
   EXPECT_FALSE(fs::exists(folder / "a"));
-  request.height_file = folder / "missing.tif";
+  request.height_files = {folder / "missing.tif"};
   EXPECT_THROW(new_scene(request), BadInput);
 }
 
@@ -181,10 +181,10 @@ TEST(NewScene, CopiesOntoItself) {
   const TemporaryFolder folder;
   write_survey(folder);
   NewSceneRequest request = request_for(folder / "a");
-  request.height_file = folder / "dtm.tif";
+  request.height_files = {folder / "dtm.tif"};
   new_scene(request);
   request.force = true;
-  request.height_file = folder / "a/height.tif";
+  request.height_files = {folder / "a/height.tif"};
   new_scene(request);
   EXPECT_EQ(testing::read_bytes(folder / "a/height.tif"), testing::read_bytes(folder / "dtm.tif"));
 }

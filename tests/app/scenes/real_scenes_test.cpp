@@ -28,7 +28,7 @@ class RealScenes : public ::testing::Test {
   World new_world(const std::string& height, const std::string& density) {
     NewSceneRequest request;
     request.folder = folder_ / "scene";
-    request.height_file = real_file(height);
+    request.height_files = {real_file(height)};
     if (!density.empty()) request.density = DensityRequest{.file = real_file(density)};
     new_scene(request);
     return World(read_scene(request.folder, {}), {});
