@@ -89,6 +89,17 @@ class MapPixels {
   ValueCensus census_;
 };
 
+/// Of an image whose heights nobody has told the meaning of, and which look as if they had to be stretched.
+std::string note_on_normalised(const MapRequest& request, const MapPixels& pixels, bool is_placed) {
+  const MapSpec& spec = request.spec;
+  const bool may_be = request.meaning == MapMeaning::kHeight && !spec.range && !spec.scale && !is_placed &&
+                      !pixels.channel().type.is_integer();
+  if (!may_be || pixels.census().min < 0.0f || pixels.census().max > 1.0f) return "";
+  return "the heights lie between 0 and 1 m, as terrain tools write shares of a range: `range` tells the "
+         "metres "
+         "of 0 and 1";
+}
+
 /// Values of a rectangle of pixels in the order of nodes.
 std::vector<float> as_nodes(const MetricGrid& grid, const PixelRect& rect, int channels,
                             std::vector<float> values) {
@@ -199,6 +210,7 @@ MapSummary decode(StoredRaster& raster, const StoredGeoraster* windowed, const M
   summary.warnings =
       map_warnings(request.spec, request.meaning, census,
                    {grid.note, pixels.mapping().note(),
+                    note_on_normalised(request, pixels, placement.geo_reference.has_value()),
                     dropped_range ? "`range` is not used: the heights are metres, not 0 to 1" : ""});
   return summary;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kCustomaryNodata = -9999.0;
 // Of surveys: SRTM and its kin; no ground on Earth lies as low.
 constexpr std::array kCustomaryHeightNodata{-32768.0, -32767.0, -99999.0};
-constexpr double kHugeNodata = 3.4e38;
+constexpr double kHugeNodata = 3.4e38f;  // as files of floats hold it
 constexpr double kMaxDensity = 1e5;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -100,8 +100,8 @@ void ValueMapping::take_height(const MapSpec& spec) {
 }
 
 void ValueMapping::take_share(const MapSpec& spec) {
-  const auto [least, most] = std::minmax(quantity(type_.is_integer() ? -type_.largest : 0.0),
-                                         quantity(type_.is_integer() ? type_.largest : 1.0));
+  const auto [least, most] = std::minmax({quantity(type_.is_integer() ? -type_.largest : 0.0),
+                                          quantity(type_.is_integer() ? type_.largest : 1.0)});
   if (spec.range) {
     low_ = (*spec.range)[0];
     high_ = (*spec.range)[1];

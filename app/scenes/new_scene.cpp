@@ -240,9 +240,14 @@ std::string fit_density(NewSceneRequest& request) {
                                ground.columns, ground.rows),
                    "a mask of the ground's shape, or --density-spacing, the metres between its pixels");
   }
-  density.spacing_m = east_m;
+  // Its outermost nodes lie on those of the ground, or beyond.
+  const auto spacing_for = [&](int ground_nodes, int mask_nodes) {
+    return *ground.spacing_m * (ground_nodes - 1) / std::max(mask_nodes - 1, 1);
+  };
+  density.spacing_m =
+      std::max(spacing_for(ground.columns, mask.columns), spacing_for(ground.rows, mask.rows));
   return fmt::format("{}: the density tells no place: fitted to the ground, {:.6g} m between its pixels",
-                     density.file.string(), east_m);
+                     density.file.string(), *density.spacing_m);
 }
 
 std::vector<std::string> write_from_rasters(NewSceneRequest request) {

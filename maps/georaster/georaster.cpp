@@ -337,6 +337,8 @@ void Georaster::read(const PixelRect& rect, int band, std::span<double> out) con
   }
   const int flags = GDALGetMaskFlags(handle);
   if ((flags & (GMF_ALL_VALID | GMF_NODATA)) != 0) return;
+  // What painters put into alpha is theirs; of a raster with a place it says where there is ground.
+  if ((flags & GMF_ALPHA) != 0 && !map_from_pixel_) return;
   std::vector<std::uint8_t> valid(out.size());
   read_band(GDALGetMaskBand(handle), valid.data(), GDT_Byte);
   for (std::size_t k = 0; k < out.size(); ++k) {

@@ -13,8 +13,10 @@ namespace prairie {
 std::optional<MapFromPixel> world_file_place(const std::filesystem::path& image) {
   GdalSession session;
   MapFromPixel place{};
-  if (GDALReadWorldFile(image.c_str(), nullptr, place.data()) == 0) return std::nullopt;
-  return place;
+  for (const char* extension : {static_cast<const char*>(nullptr), "wld"}) {
+    if (GDALReadWorldFile(image.c_str(), extension, place.data()) != 0) return place;
+  }
+  return std::nullopt;
 }
 
 std::optional<SpatialReference> projection_file_reference(const std::filesystem::path& image) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "app/scenes/new_scene.h"
+#include "maps/map_file.h"
 #include "tests/world/scene_texts.h"
 #include "world/camera_placement.h"
 #include "world/world.h"
@@ -60,6 +61,13 @@ TEST(ExampleMeadow, DefaultCamerasStandOnPlantedGround) {
   }
 }
 
+std::vector<float> heights_m(const fs::path& file) {
+  MapSpec spec;
+  spec.file = file;
+  const NodeGrid grid = read_map(spec, MapMeaning::kHeight, std::uint64_t{1} << 24).grid;
+  return {grid.values().begin(), grid.values().end()};
+}
+
 TEST(ExampleMeadow, IsTheCommittedOne) {
   const TemporaryFolder folder;
   NewSceneRequest request;
@@ -71,7 +79,12 @@ TEST(ExampleMeadow, IsTheCommittedOne) {
     const std::string name = entry.path().filename().string();
     names.push_back(name);
     bytes += entry.file_size();
-    EXPECT_EQ(testing::read_bytes(entry.path()), testing::read_bytes(kCommitted / name)) << name;
+    // Libraries pack the same heights in their own ways.
+    if (name == "ground.tif") {
+      EXPECT_EQ(heights_m(entry.path()), heights_m(kCommitted / name));
+    } else {
+      EXPECT_EQ(testing::read_bytes(entry.path()), testing::read_bytes(kCommitted / name)) << name;
+    }
   }
   EXPECT_EQ(names.size(), 5u);
   EXPECT_LT(bytes, 400'000u);

@@ -1,11 +1,14 @@
 #include "app/scenes/new_scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "app/terminal/usage_error.h"
+#include "maps/geotiff_output.h"
 #include "pictures/picture_encoding.h"
 #include "tests/world/scene_texts.h"
 #include "world/camera_placement.h"
@@ -133,6 +136,68 @@ TEST(NewScene, DensityAloneLiesOnLevelGround) {
   const World world(read_scene(folder / "a", {}), {});
   EXPECT_EQ(world.meadow().extent_m, glm::dvec2(62.0, 30.0));
   EXPECT_NEAR(world.meadow().species[0].density_per_m2.sample({10.0, 10.0}), 1000.0 * 200.0 / 255.0, 0.01);
+}
+
+TEST(NewScene, FitsAMaskWithoutAPlaceOntoTheGround) {
+  const TemporaryFolder folder;
+  std::vector<std::uint16_t> heights;
+  for (int k = 0; k < 65 * 33; ++k) heights.push_back(static_cast<std::uint16_t>(1000 + k));
+  testing::write_image(folder / "terrain.png", 65, 33, 1, OIIO::TypeDesc::UINT16, heights);
+  testing::write_bytes(folder / "mask.png",
+                       encode_png_grey8(32, 16, std::vector<std::uint8_t>(32 * 16, 200)));
+  NewSceneRequest request = request_for(folder / "a");
+  request.height_files = {folder / "terrain.png"};
+  request.height_range_m = {{0.0, 100.0}};
+  request.height_spacing_m = 1.0;
+  request.density = DensityRequest{.file = folder / "mask.png"};
+  const std::vector<std::string> said = new_scene(request);
+  EXPECT_TRUE(std::ranges::any_of(
+      said, [](const std::string& line) { return line.find("fitted to the ground") != std::string::npos; }));
+  const World world(read_scene(folder / "a", {}), {});
+  EXPECT_EQ(world.meadow().extent_m, glm::dvec2(64.0, 32.0));
+  const NodeGrid& density = world.meadow().species[0].density_per_m2;
+  EXPECT_NEAR(density.frame().far_corner_m().x, 64.0, 3.0);
+  EXPECT_GT(density.sample({63.9, 31.9}), 0.0f);
+  EXPECT_EQ(said.size(), 2u) << "and that all its values are the same";
+}
+
+TEST(NewScene, JoinsSeveralHeightFiles) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "tiles");
+  for (const int k : {0, 1}) {
+    const NodeGrid grid({20, 30, 1.0, {20.0 * k, 0.0}, false}, 1,
+                        std::vector<float>(20 * 30, 5.0f + static_cast<float>(k)));
+    testing::write_bytes(folder / "tiles" / fmt::format("t{}.tif", k), encode_geotiff(grid, nullptr));
+  }
+  NewSceneRequest request = request_for(folder / "a");
+  request.height_files = {folder / "tiles"};
+  new_scene(request);
+  const World world(read_scene(folder / "a", {}), {});
+  EXPECT_EQ(world.meadow().extent_m, glm::dvec2(39.0, 29.0));
+  EXPECT_NEAR(world.meadow().ground.height_m({5.0, 5.0}), 5.0f, 1e-4f);
+  EXPECT_NEAR(world.meadow().ground.height_m({30.0, 5.0}), 6.0f, 1e-4f);
+}
+
+TEST(NewScene, TellsWhatItsMapsGaveReasonToWarnOf) {
+  const TemporaryFolder folder;
+  testing::write_bytes(folder / "dark.png", encode_png_grey8(16, 16, std::vector<std::uint8_t>(256, 0)));
+  NewSceneRequest request = request_for(folder / "a");
+  request.density = DensityRequest{.file = folder / "dark.png", .spacing_m = 1.0};
+  const std::vector<std::string> said = new_scene(request);
+  EXPECT_TRUE(std::ranges::any_of(
+      said, [](const std::string& line) { return line.find("nothing grows") != std::string::npos; }));
+}
+
+TEST(NewScene, TakesOneChannelOfAMask) {
+  const TemporaryFolder folder;
+  std::vector<std::uint8_t> pixels;
+  for (int k = 0; k < 16 * 16; ++k) pixels.insert(pixels.end(), {10, 20, 30, 255});
+  testing::write_image(folder / "mask.png", 16, 16, 4, OIIO::TypeDesc::UINT8, pixels);
+  NewSceneRequest request = request_for(folder / "a");
+  request.density = DensityRequest{.file = folder / "mask.png", .channel = "A", .spacing_m = 1.0};
+  new_scene(request);
+  const World world(read_scene(folder / "a", {}), {});
+  EXPECT_EQ(world.meadow().species[0].density_per_m2.sample({5.0, 5.0}), 1000.0f);
 }
 
 TEST(NewScene, BringsTheWorldFileAlong) {

@@ -227,9 +227,37 @@ name = "pair"
 starts_m = [[3, 4], [5, 6.5]]
 )";
 
-/// Hashes of the files that both name, by their fields.
+/// The keys of maps that say what other people's rasters leave out, and a mosaic.
+inline constexpr const char* kForeignMapsScene = R"(version = 1
+[height]
+file = ["dtm.raw", "more/dtm.raw"]
+crs = "EPSG:32614"
+size_px = [64, 65]
+scale = 0.25
+[[species]]
+name = "a"
+[species.density]
+file = "a.asc"
+crs = "EPSG:25833"
+size_px = [10, 11]
+[maps.blade_height]
+file = "a.png"
+crs = "EPSG:25832"
+size_px = [2, 2]
+[maps.bend]
+file = "b.png"
+crs = "EPSG:25832"
+size_px = [3, 2]
+[maps.color]
+file = "c.png"
+crs = "EPSG:25832"
+size_px = [2, 3]
+)";
+
+/// Hashes of the files that they name, by their fields.
 inline const std::map<std::string, std::uint64_t> kEveryFile{
     {"height.file", 1},    {"species.1.density.file", 2}, {"maps.blade_height.file", 3},
-    {"maps.bend.file", 4}, {"maps.color.file", 5},        {"wind.file", 6}};
+    {"maps.bend.file", 4}, {"maps.color.file", 5},        {"wind.file", 6},
+    {"species.0.density.file", 7}};
 
 }  // namespace prairie::testing

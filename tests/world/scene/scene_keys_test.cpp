@@ -68,7 +68,8 @@ std::vector<KnownKey> all_keys() {
 
 TEST(SceneKeys, AreAllSetByTheScenesThatSetEveryKey) {
   std::set<std::pair<std::string, std::string>> set;
-  for (const char* text : {testing::kEveryKeyScene, testing::kExcludingKeysScene}) {
+  for (const char* text :
+       {testing::kEveryKeyScene, testing::kExcludingKeysScene, testing::kForeignMapsScene}) {
     for (const testing::SetKey& key : testing::set_keys(text)) set.insert({key.section, key.key});
   }
   for (const KnownKey& known : all_keys()) {
@@ -103,6 +104,7 @@ void expect_every_key_counts(const char* text, const std::set<std::string>& as_b
 TEST(SceneKeys, CountInTheHashAndCanBeOverridden) {
   // Maps repeat with the height map.
   expect_every_key_counts(testing::kEveryKeyScene, {"maps.bend.repeat", "maps.color.repeat"});
+  expect_every_key_counts(testing::kForeignMapsScene, {});
 }
 
 TEST(SceneKeys, RequiredOnesAreMissed) {

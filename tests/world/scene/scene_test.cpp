@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"density = \"many\"", "species.0.density", "blades per m²"},
         Refusal{"density = {}", "species.0.density.file", "the path of an image"},
         Refusal{"density = { fiel = \"a\" }", "species.0.density.fiel", "did you mean 'file'?"},
-        Refusal{"density = { file = 3 }", "species.0.density.file", "a text in quotes"},
+        Refusal{"density = { file = 3 }", "species.0.density.file", "the path of an image or raster"},
         Refusal{"density = { file = \"\" }", "species.0.density.file", "the path of an image"},
         Refusal{"density = { file = \"a\", max_per_m2 = 2e5 }", "species.0.density.max_per_m2", "100000"},
         Refusal{"density = { file = \"a\", max_per_m2 = -1 }", "species.0.density.max_per_m2", "found -1"},

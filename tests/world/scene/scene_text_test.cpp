@@ -24,7 +24,8 @@ void expect_reads_back(const Scene& scene) {
 }
 
 TEST(SceneText, ReadsBackAsTheSameScene) {
-  for (const char* text : {testing::kPlainScene, testing::kEveryKeyScene, testing::kExcludingKeysScene})
+  for (const char* text : {testing::kPlainScene, testing::kEveryKeyScene, testing::kExcludingKeysScene,
+                           testing::kForeignMapsScene})
     expect_reads_back(parsed(text));
 }
 
