@@ -59,7 +59,8 @@ class Georaster {
   int block_rows() const { return block_rows_; }
 
   /// Stored values of `band` in `rect` (inside the raster), rows from the file's first; NaN where a mask or,
-  /// of a raster with a place, an alpha of 0 says that there is no value. Throws BadInput where the file breaks off.
+  /// of a raster with a place, an alpha of 0 says that there is no value. Throws BadInput where the file
+  /// breaks off.
   void read(const PixelRect& rect, int band, std::span<double> out) const;
 
  private:

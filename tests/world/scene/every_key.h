@@ -256,8 +256,8 @@ size_px = [2, 3]
 
 /// Hashes of the files that they name, by their fields.
 inline const std::map<std::string, std::uint64_t> kEveryFile{
-    {"height.file", 1},    {"species.1.density.file", 2}, {"maps.blade_height.file", 3},
-    {"maps.bend.file", 4}, {"maps.color.file", 5},        {"wind.file", 6},
+    {"height.file", 1},           {"species.1.density.file", 2}, {"maps.blade_height.file", 3},
+    {"maps.bend.file", 4},        {"maps.color.file", 5},        {"wind.file", 6},
     {"species.0.density.file", 7}};
 
 }  // namespace prairie::testing
