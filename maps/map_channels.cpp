@@ -37,6 +37,7 @@ bool is_nameless(const StoredRaster& raster) {
 int find_channel(const StoredRaster& raster, const std::string& name) {
   const std::vector<StoredChannel>& channels = raster.channels();
   const int count = static_cast<int>(channels.size());
+  if (name.empty()) return -1;
   for (int k = 0; k < count; ++k) {
     if (channels[static_cast<std::size_t>(k)].name == name) return k;
   }

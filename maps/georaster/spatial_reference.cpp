@@ -52,8 +52,10 @@ std::optional<SpatialReference> SpatialReference::of_name(const std::string& nam
   constexpr std::string_view kEpsg = "EPSG:";
   SpatialReference reference(OSRNewSpatialReference(nullptr));
   if (name.starts_with(kEpsg)) {
-    const int code = std::atoi(name.c_str() + kEpsg.size());
-    if (code <= 0 || OSRImportFromEPSG(handle_of(reference), code) != OGRERR_NONE) return std::nullopt;
+    // A plane's number, or "plane+heights".
+    const bool is_number = name.find_first_not_of("0123456789+", kEpsg.size()) == std::string::npos;
+    if (!is_number || OSRSetFromUserInput(handle_of(reference), name.c_str()) != OGRERR_NONE)
+      return std::nullopt;
     return reference;
   }
   if (name.starts_with("+proj=")) {
