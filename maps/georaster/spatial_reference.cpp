@@ -102,8 +102,20 @@ std::string SpatialReference::name() const {
 std::optional<int> SpatialReference::epsg() const {
   const char* authority = OSRGetAuthorityName(handle_of(*this), nullptr);
   const char* code = OSRGetAuthorityCode(handle_of(*this), nullptr);
-  if (authority == nullptr || code == nullptr || std::string_view(authority) != "EPSG") return std::nullopt;
-  return std::atoi(code);
+  if (authority != nullptr && code != nullptr)
+    return std::string_view(authority) == "EPSG" ? std::optional(std::atoi(code)) : std::nullopt;
+  return utm_code();
+}
+
+std::optional<int> SpatialReference::utm_code() const {
+  GdalSession session;
+  int is_north = 0;
+  const int zone = OSRGetUTMZone(handle_of(*this), &is_north);
+  if (zone == 0) return std::nullopt;
+  const int code = (is_north != 0 ? 32600 : 32700) + zone;
+  SpatialReference utm(OSRNewSpatialReference(nullptr));
+  OSRImportFromEPSG(handle_of(utm), code);
+  return has_plane_of(utm) ? std::optional(code) : std::nullopt;
 }
 
 bool SpatialReference::is_geographic() const {

@@ -26,7 +26,7 @@ class SpatialReference {
   std::string wkt() const;
   /// "WGS 84 / UTM zone 14N (EPSG:32614)"
   std::string name() const;
-  /// Its number in EPSG's registry, where it tells it.
+  /// Its number in EPSG's registry, where it tells it or is UTM on WGS 84.
   std::optional<int> epsg() const;
   bool is_geographic() const;
   /// Where a place of it is known on Earth.
@@ -43,6 +43,8 @@ class SpatialReference {
 
  private:
   explicit SpatialReference(void* handle);
+
+  std::optional<int> utm_code() const;
 
   std::shared_ptr<void> handle_;
 };
