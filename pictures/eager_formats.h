@@ -1,5 +1,5 @@
-// OpenImageIO reserves or even decodes a GIF or JPEG 2000 image whole while it opens the file, before anyone
-// can look at its size; so the size is read from the file's own header first.
+// OpenImageIO reserves or even decodes a GIF, a JPEG 2000 or a progressive JPEG image whole while it opens
+// the file, before anyone can look at its size; so the size is read from the file's own header first.
 #pragma once
 
 #include <cstdint>
