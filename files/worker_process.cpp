@@ -1,5 +1,6 @@
 #include "files/worker_process.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
@@ -32,12 +33,13 @@ extern char** environ;
 namespace prairie {
 namespace {
 
+// A sanitizer claims terabytes of addresses for itself, and has something to say.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kLimitsMemory = false;  // a sanitizer claims terabytes of addresses for itself
+constexpr bool kIsSanitized = true;
 #elif defined(__has_feature)
-constexpr bool kLimitsMemory = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
-constexpr bool kLimitsMemory = true;
+constexpr bool kIsSanitized = false;
 #endif
 
 /// What this process has of the memory that RLIMIT_DATA counts.
@@ -73,11 +75,21 @@ std::string as_ending(int status) {
   return "ends its decoder";
 }
 
+/// Whatever libraries print about a request is not for the person at the terminal.
+void fall_silent() {
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere < 0) return;
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  close(nowhere);
+}
+
 [[noreturn]] void do_request(MessageSocket& socket, const Work& work, const Message& request) {
   MessageReader reader(request.bytes);
   const auto memory_bytes = reader.number<std::uint64_t>();
   set_limit(RLIMIT_CORE, 0);
-  if (kLimitsMemory) set_limit(RLIMIT_DATA, own_data_bytes() + memory_bytes);
+  if (!kIsSanitized) fall_silent();
+  if (!kIsSanitized) set_limit(RLIMIT_DATA, own_data_bytes() + memory_bytes);
   work(reader.rest(), [&](std::span<const std::byte> bytes) { socket.send(MessageKind::kReply, bytes); });
   // Not `exit`: what the parent has registered for its own end is not this one's to do.
   _exit(0);

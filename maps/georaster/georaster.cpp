@@ -17,6 +17,7 @@
 
 #include "files/error.h"
 #include "files/input_file.h"
+#include "files/quiet_stderr.h"
 #include "maps/georaster/gdal_session.h"
 #include "maps/georaster/vrt_sources.h"
 
@@ -197,6 +198,7 @@ bool is_georaster(const fs::path& path) {
 Georaster::Georaster(const std::vector<fs::path>& files, const std::string& field)
     : path_(files.at(0)), field_(field), dataset_(std::make_unique<Dataset>()) {
   GdalSession session;
+  const QuietStderr quiet;  // of PROJ, which prints some of its complaints
   open(files);
   check_claims();
   look_at_bands();

@@ -1,6 +1,6 @@
 // Runs a fuzz target without libFuzzer: every input of the corpus as it is, then deterministic mutations of
-// them. Takes files as arguments too, to look at a finding again. `--write-corpus FOLDER` gives libFuzzer
-// something to start from.
+// them. Takes files as arguments too, to look at a finding again. `--runs N` makes more mutations,
+// `--write-corpus FOLDER` gives libFuzzer something to start from.
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -74,13 +74,15 @@ int main(int count, char** arguments) {
     }
     return 0;
   }
-  if (count > 1) {
+  long runs = prairie::fuzz::replay_count();
+  if (count == 3 && std::string_view(arguments[1]) == "--runs") {
+    runs = std::stol(arguments[2]);
+  } else if (count > 1) {
     for (int k = 1; k < count; ++k) run(read(arguments[k]));
     return 0;
   }
   for (const Input& input : corpus) run(input);
   std::mt19937 random(20031);
-  for (int k = 0; k < prairie::fuzz::replay_count(); ++k)
-    run(mutated(corpus[random() % corpus.size()], random));
-  std::printf("%zu inputs and %d mutations\n", corpus.size(), prairie::fuzz::replay_count());
+  for (long k = 0; k < runs; ++k) run(mutated(corpus[random() % corpus.size()], random));
+  std::printf("%zu inputs and %ld mutations\n", corpus.size(), runs);
 }
