@@ -6,8 +6,14 @@
 // points, seen from both sides, so that flat and thin differences need no case of their own; the origin may
 // be outside of it at first, faces then have negative distances. It tells depth and normal alone. Bounded by
 // kMostVertices: the depth told always separates, and is the least one if `is_certain`.
+//
+// Where many vertices of A - B lie in one plane or on one line, as those of aligned boxes do, the farthest
+// point of a direction is any of a side or an edge, and triangles between such points have no direction of
+// their own. Two things keep them out: PolytopeRules::tie_break makes the polytope of corners alone, and
+// an answer from slivers is not certain.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -28,6 +34,14 @@ template <int D, typename Real>
 struct PolytopeVertex {
   glm::vec<D, Real> point;
   std::uint64_t key = 0;
+};
+
+/// What the polytope is held to, in metres but for `tie_break`.
+template <typename Real>
+struct PolytopeRules {
+  Real tolerance = 0;     // what rounding does to the points, and how well the depth is to be known
+  Real tie_break = 0;     // of a direction, by which farthest points are sought beside it: a share
+  Real least_height = 0;  // of a triangle whose plane is believed
 };
 
 /// The plane that a side of the polytope is on.
@@ -81,6 +95,7 @@ class ExpandingPolytope<2, Real> {
     return nearest;
   }
   PolytopeFace<2, Real> face(int i) const { return {normals_[i], distances_[i]}; }
+  bool has_sliver(Real) const { return false; }
 
  private:
   void measure(int i) {
@@ -110,7 +125,8 @@ class ExpandingPolytope<3, Real> {
   bool add(const Vertex& vertex, int, Real tolerance) {
     if (count_ == kMostVertices) return false;
     for (int i = 0; i < count_; ++i) {
-      if (vertices_[i].key == vertex.key) return false;
+      const glm::vec<3, Real> apart = vertices_[i].point - vertex.point;
+      if (vertices_[i].key == vertex.key || glm::dot(apart, apart) <= tolerance * tolerance) return false;
     }
     int edge_count = 0, kept = 0;
     for (int f = 0; f < face_count_; ++f) {
@@ -142,23 +158,26 @@ class ExpandingPolytope<3, Real> {
     vertices_[0] = from;
     vertices_[1] = to;
     Real aside = Real(-1);
+    glm::vec<3, Real> widest = side;
     for (const glm::vec<3, Real>& direction : {side, -side, other, -other}) {
       const Vertex vertex = farthest(direction);
       const glm::vec<3, Real> reach = vertex.point - from.point;
       const glm::vec<3, Real> away = reach - glm::dot(reach, along) * along;
       if (!(glm::dot(away, away) > aside)) continue;
       aside = glm::dot(away, away);
+      widest = away;
       vertices_[2] = vertex;
     }
     count_ = 3;
     face_count_ = 0;
     put(0, 1, 2);
     put(1, 0, 2);
-    const bool has_area = faces_[0].distance < std::numeric_limits<Real>::max();
-    if (has_area && aside > tolerance * tolerance) return;
-    faces_[0].normal = side;
-    faces_[1].normal = -side;
-    for (int f = 0; f < 2; ++f) faces_[f].distance = glm::dot(faces_[f].normal, from.point);
+    const bool has_area = aside > tolerance * tolerance;
+    const glm::vec<3, Real> normal = has_area ? glm::normalize(glm::cross(along, widest)) : side;
+    for (int f = 0; f < 2; ++f) {
+      faces_[f].normal = f == 0 ? normal : -normal;
+      faces_[f].distance = glm::dot(faces_[f].normal, from.point);
+    }
   }
   int nearest_face() const {
     int nearest = 0;
@@ -168,6 +187,17 @@ class ExpandingPolytope<3, Real> {
     return nearest;
   }
   PolytopeFace<3, Real> face(int f) const { return {faces_[f].normal, faces_[f].distance}; }
+  /// Whether some triangle is less high than that, so that rounding may have tilted its plane.
+  bool has_sliver(Real least_height) const {
+    for (int f = 0; f < face_count_; ++f) {
+      const auto [i, j, k] = faces_[f].vertices;
+      const glm::vec<3, Real>&a = vertices_[i].point, &b = vertices_[j].point, &c = vertices_[k].point;
+      const glm::vec<3, Real> ab = b - a, ac = c - a, bc = c - b, normal = glm::cross(ab, ac);
+      const Real longest2 = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+      if (!(glm::dot(normal, normal) >= least_height * least_height * longest2)) return true;
+    }
+    return false;
+  }
 
  private:
   struct Triangle {
@@ -188,10 +218,16 @@ class ExpandingPolytope<3, Real> {
     edges_[count++] = edge;
     return true;
   }
-  /// A triangle without an area is never nearest and never seen.
+  /// A triangle without an area is never nearest and never seen. The normal keeps to the longest side, about
+  /// which alone rounding may turn it: on the thin sides of a needle that does no harm.
   void put(std::uint8_t i, std::uint8_t j, std::uint8_t k) {
     const glm::vec<3, Real>&a = vertices_[i].point, &b = vertices_[j].point, &c = vertices_[k].point;
-    const glm::vec<3, Real> normal = glm::cross(b - a, c - a);
+    const glm::vec<3, Real> ab = b - a, ac = c - a, bc = c - b;
+    const Real ab2 = glm::dot(ab, ab), ac2 = glm::dot(ac, ac), bc2 = glm::dot(bc, bc);
+    const Real longest2 = std::max({ab2, ac2, bc2});
+    const glm::vec<3, Real>& longest = ab2 == longest2 ? ab : ac2 == longest2 ? ac : bc;
+    glm::vec<3, Real> normal = glm::cross(ab, ac);
+    if (longest2 > Real(0)) normal -= (glm::dot(normal, longest) / longest2) * longest;
     const Real length = std::sqrt(glm::dot(normal, normal));
     const bool has_area = length > Real(0);
     Triangle& face = faces_[face_count_++];
@@ -207,12 +243,21 @@ class ExpandingPolytope<3, Real> {
   std::array<Edge, kMostFaces> edges_;
 };
 
-/// `farthest(direction)` is the PolytopeVertex of A - B that is farthest along it. `tolerance`: what rounding
-/// does to its points.
+/// A direction near that one in which hardly anything has two farthest points.
+template <int D, typename Real>
+glm::vec<D, Real> beside(glm::vec<D, Real> direction, Real share) {
+  constexpr Real kAnyWay[3] = {Real(0.8147), Real(-0.3711), Real(0.4459)};
+  for (int axis = 0; axis < D; ++axis) direction[axis] += share * kAnyWay[axis];
+  return direction;
+}
+
+/// `farthest(direction)` is the PolytopeVertex of A - B that is farthest along it.
 template <int D, typename Real, typename Farthest>
-Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
+Penetration<D, Real> penetration(const Farthest& farthest, const PolytopeRules<Real>& rules) {
   using Vector = glm::vec<D, Real>;
   using Vertex = PolytopeVertex<D, Real>;
+  const Real tolerance = rules.tolerance;
+  const auto corner = [&](const Vector& direction) { return farthest(beside(direction, rules.tie_break)); };
   Penetration<D, Real> best;
 
   Real widest = Real(-1);
@@ -220,7 +265,7 @@ Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
   for (int axis = 0; axis < D; ++axis) {
     Vector direction(Real(0));
     direction[axis] = Real(1);
-    const Vertex high = farthest(direction), low = farthest(-direction);
+    const Vertex high = corner(direction), low = corner(-direction);
     const Real width = high.point[axis] - low.point[axis];
     if (!(width > widest)) continue;
     widest = width;
@@ -235,7 +280,7 @@ Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
   }
 
   ExpandingPolytope<D, Real> polytope;
-  polytope.begin(from, to, farthest, tolerance);
+  polytope.begin(from, to, corner, tolerance);
   best.depth = std::numeric_limits<Real>::max();
   for (bool grows = true; grows;) {
     const int nearest = polytope.nearest_face();
@@ -248,8 +293,12 @@ Penetration<D, Real> penetration(const Farthest& farthest, Real tolerance) {
       best.normal = normal;
     }
     best.is_certain = best.depth - distance <= tolerance;
-    grows = !best.is_certain && polytope.add(vertex, nearest, Real(0.25) * tolerance);
+    const Real least_seen = Real(0.25) * tolerance;
+    grows = !best.is_certain &&
+            ((rules.tie_break > Real(0) && polytope.add(corner(normal), nearest, least_seen)) ||
+             polytope.add(vertex, nearest, least_seen));
   }
+  best.is_certain = best.is_certain && !polytope.has_sliver(rules.least_height);
   return best;
 }
 

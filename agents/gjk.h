@@ -33,13 +33,13 @@ struct WiderReal<double> {
   using Type = long double;
 };
 
-template <typename Real, typename A, typename B, int D, typename Stored>
+template <typename Real, bool kIsLast, typename A, typename B, int D, typename Stored>
 [[gnu::always_inline]] inline CoreDistance<D, Real> distance_about(const A& a, const B& b,
                                                                    const glm::vec<D, Stored>& origin_m,
                                                                    GjkCache& cache) {
   const glm::vec<D, Real> origin(origin_m);
   CoreDistance<D, Real> found =
-      core_distance<D, Real>(core_of<Real>(a, origin), core_of<Real>(b, origin), cache);
+      core_distance<D, Real, kIsLast>(core_of<Real>(a, origin), core_of<Real>(b, origin), cache);
   const Real radius_a = static_cast<Real>(radius_of(a)), radius_b = static_cast<Real>(radius_of(b));
   found.answer.distance_m -= radius_a + radius_b;
   found.answer.point_on_a_m += radius_a * found.answer.normal;
@@ -52,7 +52,7 @@ template <typename A, typename B, int D, typename Real>
                                                                    const glm::vec<D, Real>& origin_m) {
   using Wider = typename WiderReal<Real>::Type;
   GjkCache cache;
-  const ShapeDistance<D, Wider> wide = distance_about<Wider>(a, b, origin_m, cache).answer;
+  const ShapeDistance<D, Wider> wide = distance_about<Wider, true>(a, b, origin_m, cache).answer;
   return {.distance_m = static_cast<Real>(wide.distance_m),
           .point_on_a_m = glm::vec<D, Real>(wide.point_on_a_m),
           .point_on_b_m = glm::vec<D, Real>(wide.point_on_b_m),
@@ -68,7 +68,7 @@ auto shape_distance(const A& a, const B& b, GjkCache& cache) {
   const auto origin_m = centre_of(a);
   using Real = typename decltype(origin_m)::value_type;
   static_assert(std::is_same_v<decltype(centre_of(a)), decltype(centre_of(b))>);
-  auto found = distance_about<Real>(a, b, origin_m, cache);
+  auto found = distance_about<Real, false>(a, b, origin_m, cache);
   if (!found.is_certain) [[unlikely]] {
     const int iterations = found.answer.iterations;
     found.answer = wider_distance(a, b, origin_m);

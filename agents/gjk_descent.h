@@ -132,9 +132,25 @@ struct MovedCore {
   glm::vec<D, Real> point(std::uint32_t index) const { return core.point(index) + way; }
 };
 
+/// How the way out of shapes of that size is sought. A query that is not made again (`kIsLast`) looks for
+/// corners alone, and knows depths as well as the narrower type that asked: what is thinner than that is
+/// flat. In the plane rounding makes no slivers.
+template <int D, typename Real, bool kIsLast>
+PolytopeRules<Real> polytope_rules(Real tolerance, Real scale) {
+  if constexpr (D == 2) return {.tolerance = tolerance};
+  constexpr bool kForFloat = std::is_same_v<Real, double> && kIsLast;
+  if (kIsLast) {
+    return {.tolerance = (kForFloat ? Real(1e-9) : Real(1e-13)) * scale,
+            .tie_break = kForFloat ? Real(1e-7) : Real(1e-9)};
+  }
+  // A plane that is tilted by rounding is off by no more than this share of the size.
+  constexpr Real kMostTilt = std::is_same_v<Real, float> ? Real(4e-6) : Real(1e-11);
+  return {.tolerance = tolerance, .least_height = tolerance / kMostTilt};
+}
+
 /// The points are those that are nearest once B has been moved out of A and as far again as the shapes are
 /// large.
-template <int D, typename Real, typename CoreA, typename CoreB>
+template <int D, typename Real, bool kIsLast, typename CoreA, typename CoreB>
 [[gnu::noinline]] CoreDistance<D, Real> core_depth(const CoreA& a, const CoreB& b, Real tolerance,
                                                    Real scale) {
   const Penetration<D, Real> out = penetration<D, Real>(
@@ -143,7 +159,7 @@ template <int D, typename Real, typename CoreA, typename CoreB>
         return PolytopeVertex<D, Real>{on_a.point - on_b.point,
                                        (static_cast<std::uint64_t>(on_a.index) << 32) | on_b.index};
       },
-      tolerance);
+      polytope_rules<D, Real, kIsLast>(tolerance, scale));
   const glm::vec<D, Real> way = (out.depth + (scale > Real(0) ? scale : Real(1))) * out.normal;
   const MovedCore<CoreB, D, Real> moved{b, way};
   CoreDistance<D, Real> found;
@@ -156,7 +172,7 @@ template <int D, typename Real, typename CoreA, typename CoreB>
   return found;
 }
 
-template <int D, typename Real, typename CoreA, typename CoreB>
+template <int D, typename Real, bool kIsLast, typename CoreA, typename CoreB>
 [[gnu::always_inline]] inline CoreDistance<D, Real> core_distance(const CoreA& a, const CoreB& b,
                                                                   GjkCache& cache) {
   const Real scale = std::max(a.extent(), b.extent());
@@ -164,8 +180,14 @@ template <int D, typename Real, typename CoreA, typename CoreB>
   const GjkDescent<D, Real> descent = descend<D, Real>(a, b, cache, tolerance);
   cache.count = static_cast<std::uint32_t>(descent.simplex.count);
   for (int i = 0; i < descent.simplex.count; ++i) cache.keys[i] = descent.simplex.keys[i];
-  if (descent.overlaps) {
-    CoreDistance<D, Real> found = core_depth<D, Real>(a, b, Real(2) * tolerance, scale);
+  bool may_overlap = descent.overlaps;
+  if constexpr (D == 3 && kIsLast) {
+    // Where thin shapes overlap the descent may stop short of the origin, at a flat simplex beside it.
+    const Real flat = polytope_rules<D, Real, kIsLast>(tolerance, scale).tolerance;
+    may_overlap = may_overlap || descent.squared <= flat * flat;
+  }
+  if (may_overlap) {
+    CoreDistance<D, Real> found = core_depth<D, Real, kIsLast>(a, b, Real(2) * tolerance, scale);
     found.answer.iterations += descent.iterations;
     return found;
   }
