@@ -1,48 +1,15 @@
 #include "app/scenes/info.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <utility>
 
-#include "generator/plant.h"
+#include "generator/blade_census.h"
+#include "generator/tiles.h"
 #include "world/world.h"
 
 namespace prairie {
 namespace {
-
-struct Census {
-  std::vector<double> blades;  // per species
-  double densest_per_m2 = 0.0;
-};
-
-// Rows of tiles are counted in parallel and added in order: the same sums for every number of threads.
-Census count_blades(const Meadow& meadow) {
-  const TileRange tiles = tiles_of(meadow);
-  const std::size_t species = meadow.species.size();
-  const auto rows = static_cast<std::size_t>(tiles.last.j - tiles.first.j + 1);
-  std::vector<Census> row_counts(rows);
-  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
-    Census& count = row_counts[row];
-    count.blades.assign(species, 0.0);
-    for (int i = tiles.first.i; i <= tiles.last.i; ++i) {
-      const auto expected = expected_counts(meadow, {i, tiles.first.j + static_cast<int>(row)});
-      double of_tile = 0.0;
-      for (std::size_t s = 0; s < species; ++s) {
-        count.blades[s] += expected[s];
-        of_tile += expected[s];
-      }
-      count.densest_per_m2 = std::max(count.densest_per_m2, of_tile / (meadow.tile_m * meadow.tile_m));
-    }
-  });
-  Census total{.blades = std::vector<double>(species, 0.0)};
-  for (const Census& count : row_counts) {
-    for (std::size_t s = 0; s < species; ++s) total.blades[s] += count.blades[s];
-    total.densest_per_m2 = std::max(total.densest_per_m2, count.densest_per_m2);
-  }
-  return total;
-}
 
 std::vector<std::string> warnings_about(const SceneReport& report, double densest_per_m2) {
   constexpr double kDensePerM2 = 5000.0;  // a well-kept pasture; what is drawn of more cannot be told apart
@@ -68,7 +35,7 @@ std::vector<std::string> warnings_about(const SceneReport& report, double denses
 SceneReport describe_scene(const World& world) {
   const Meadow& meadow = world.meadow();
   const TileRange tiles = tiles_of(meadow);
-  const Census census = count_blades(meadow);
+  const BladeCensus census = blade_census(meadow);
   SceneReport report;
   report.folder = world.scene().folder.string();
   report.scene_hash = world.scene_hash();
