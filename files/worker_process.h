@@ -26,7 +26,7 @@ struct WorkLimits {
   std::uint64_t memory_bytes = 0;  // that the worker may ask for, beyond what it starts with
   double cpu_s = 4.0;              // of processor time between two replies, and in all, where
   double cpu_s_per_MB = 0.5;       // so much is added for each megabyte (10⁶ bytes) that it has replied
-  double waiting_s = 60.0;         // between two replies, for a disk or for ever
+  double waiting_s = 20.0;         // between two replies, for a disk or for ever
 };
 
 /// The worker did not come to an end by itself; `what()` says how it ended: "ends its decoder (signal 11)".

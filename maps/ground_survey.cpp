@@ -1,5 +1,7 @@
 #include "maps/ground_survey.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -89,10 +91,6 @@ FillLevel rows_of(const FillLevel& level, int first, int count) {
   return {level.columns, count, cut(level.heights_m), cut(level.east_m), cut(level.north_m)};
 }
 
-void append(const std::vector<float>& from, std::vector<float>* to) {
-  to->insert(to->end(), from.begin(), from.end());
-}
-
 }  // namespace
 
 GroundSurvey survey_ground(const NodeGrid& measured_m) {
@@ -107,12 +105,14 @@ GroundSurvey survey_ground(const NodeGrid& measured_m) {
   overview.cells.rows = rows;
 
   std::vector<CellCensus> census(cells(columns, rows));
-  std::vector<float> nodes;
-  for (int row = 0; row < rows; ++row) {
+  for (std::vector<float>* values :
+       {&overview.cells.heights_m, &overview.cells.east_m, &overview.cells.north_m})
+    values->resize(cells(columns, rows));
+  tbb::parallel_for(0, rows, [&](int row) {
     // One row more on either side, for the slopes.
     const int first = std::max(0, row * cell - 1);
     const int last = std::min(frame.rows, (row + 1) * cell + 1);
-    nodes.resize(cells(frame.columns, last - first));
+    std::vector<float> nodes(cells(frame.columns, last - first));
     measured_m.read_block({0, first, frame.columns, last - first}, nodes);
     FillLevel strip = rows_of(finest_level(frame.columns, last - first, false, nodes), row * cell - first,
                               std::min(cell, frame.rows - row * cell));
@@ -123,10 +123,13 @@ GroundSurvey survey_ground(const NodeGrid& measured_m) {
       if (std::isnan(strip.heights_m[k])) here.has_gap = true;
     }
     for (int k = 0; k < level; ++k) strip = coarser_level(strip);
-    append(strip.heights_m, &overview.cells.heights_m);
-    append(strip.east_m, &overview.cells.east_m);
-    append(strip.north_m, &overview.cells.north_m);
-  }
+    const auto put = [&](const std::vector<float>& from, std::vector<float>& to) {
+      std::ranges::copy(from, to.begin() + static_cast<std::ptrdiff_t>(cells(columns, row)));
+    };
+    put(strip.heights_m, overview.cells.heights_m);
+    put(strip.east_m, overview.cells.east_m);
+    put(strip.north_m, overview.cells.north_m);
+  });
 
   CellCensus all;
   for (const CellCensus& here : census) all = united(all, here);

@@ -1,5 +1,7 @@
 #include "maps/height_bounds.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -45,9 +47,9 @@ HeightBounds HeightBounds::of(const NodeGrid& grid) {
   const std::span<const float> values = grid.values();
   const int block_columns = (frame.columns + kBlockNodes - 1) / kBlockNodes;
   const int block_rows = (frame.rows + kBlockNodes - 1) / kBlockNodes;
-  std::vector<HeightRange> blocks;
-  blocks.reserve(static_cast<std::size_t>(block_columns) * static_cast<std::size_t>(block_rows));
-  for (int j = 0; j < block_rows; ++j) {
+  std::vector<HeightRange> blocks(static_cast<std::size_t>(block_columns) *
+                                  static_cast<std::size_t>(block_rows));
+  tbb::parallel_for(0, block_rows, [&](int j) {
     for (int i = 0; i < block_columns; ++i) {
       const int columns = std::min(kBlockNodes, frame.columns - i * kBlockNodes);
       const int rows = std::min(kBlockNodes, frame.rows - j * kBlockNodes);
@@ -59,9 +61,10 @@ HeightBounds HeightBounds::of(const NodeGrid& grid) {
       for (int y = 0; y < rows; ++y, first += frame.columns) {
         for (int x = 0; x < columns; ++x) range = united(range, {first[x], first[x]});
       }
-      blocks.push_back(range);
+      blocks[static_cast<std::size_t>(j) * static_cast<std::size_t>(block_columns) +
+             static_cast<std::size_t>(i)] = range;
     }
-  }
+  });
   return HeightBounds(kBlockNodes, block_columns, block_rows, std::move(blocks));
 }
 

@@ -1,5 +1,8 @@
 #include "maps/height_field.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -10,6 +13,7 @@
 
 #include "files/error.h"
 #include "maps/catmull_rom.h"
+#include "maps/filled_heights.h"
 #include "maps/ground_survey.h"
 #include "maps/height_bounds.h"
 #include "maps/nodata_fill.h"
@@ -21,7 +25,8 @@ namespace {
 
 constexpr double kMaxNodeCoordinate = 1e9;  // keeps positions, however far, inside int
 constexpr double kNodeTolerance = 1e-6;     // of the spacing; see NodeGrid::has_data
-constexpr int kBandRows = 64;               // lattice rows worked on at once; bounds the scratch memory
+constexpr std::size_t kMostNodesFilledAtOnce = 1 << 22;
+constexpr int kBandRows = 64;  // lattice rows worked on at once; bounds the scratch memory
 
 using Weights = std::array<double, 4>;
 
@@ -104,6 +109,30 @@ bool needed_nodes(double low, double high, int count, bool repeats, IndexSpan* s
   return true;
 }
 
+struct NodeCensus {
+  HeightRange measured{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+  bool has_gaps = false;
+};
+
+NodeCensus census_of(std::span<const float> nodes) {
+  const auto of_range = [&](const tbb::blocked_range<std::size_t>& range, NodeCensus census) {
+    for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      if (std::isnan(nodes[k])) {
+        census.has_gaps = true;
+      } else {
+        census.measured = united(census.measured, {nodes[k], nodes[k]});
+      }
+    }
+    return census;
+  };
+  const auto of_both = [](const NodeCensus& a, const NodeCensus& b) {
+    return NodeCensus{united(a.measured, b.measured), a.has_gaps || b.has_gaps};
+  };
+  constexpr std::size_t kWorthAThread = 1 << 16;
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, nodes.size(), kWorthAThread), NodeCensus{},
+                              of_range, of_both);
+}
+
 }  // namespace
 
 HeightField::HeightField() : heights_(NodeGrid::uniform(0.0f)) {}
@@ -123,21 +152,20 @@ HeightField::HeightField(NodeGrid heights_m) : heights_(std::move(heights_m)) {
 void HeightField::take_nodes_in_memory() {
   const GridFrame& frame = heights_.frame();
   const std::span<const float> nodes = std::as_const(heights_).values();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  measured_range_ = {kInfinity, -kInfinity};
-  for (const float node : nodes) {
-    if (std::isnan(node)) {
-      has_gaps_ = true;
-    } else {
-      measured_range_ = united(measured_range_, {node, node});
-    }
-  }
+  const NodeCensus census = census_of(nodes);
+  measured_range_ = census.measured;
+  has_gaps_ = census.has_gaps;
   if (measured_range_.min_m > measured_range_.max_m) {
     throw BadInput("", "", "a height map without data", "at least one node with a height");
   }
   if (has_gaps_) {
     gaps_ = std::make_shared<NodeMask>(frame.columns, frame.rows, nodes);
-    fill_nodata(frame.columns, frame.rows, frame.repeats, heights_.values());
+    // The gap that crosses a border of repeated ground is filled as one.
+    if (frame.repeats || nodes.size() <= kMostNodesFilledAtOnce) {
+      fill_nodata(frame.columns, frame.rows, frame.repeats, heights_.values());
+    } else {
+      fill_page_by_page(frame, *gaps_, heights_.values());
+    }
   }
   bounds_ = std::make_shared<HeightBounds>(HeightBounds::of(heights_));
 }

@@ -1,9 +1,13 @@
 #include "maps/nodata_fill.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -50,12 +54,14 @@ std::vector<float> halved(int columns, int rows, const std::vector<float>& value
 
 /// A gap and its neighbours, as indices into the level. Beyond a border the neighbour is the gap itself.
 struct Gap {
-  std::size_t self, west, east, south, north;
+  std::uint32_t self, west, east, south, north;
 };
 
 std::vector<Gap> find_gaps(const FillLevel& level, bool repeats, const std::vector<float>& values) {
   std::vector<Gap> gaps;
-  const auto index = [&level](int i, int j) { return cell_index(level.columns, i, j); };
+  const auto index = [&level](int i, int j) {
+    return static_cast<std::uint32_t>(cell_index(level.columns, i, j));
+  };
   for (int j = 0; j < level.rows; ++j) {
     for (int i = 0; i < level.columns; ++i) {
       if (!std::isnan(values[index(i, j)])) continue;
@@ -83,23 +89,33 @@ float interpolated(const FillLevel& coarser, int columns, bool repeats, std::siz
   return 0.5625f * at(x, y) + 0.1875f * (at(far_x, y) + at(x, far_y)) + 0.0625f * at(far_x, far_y);
 }
 
-/// Jacobi sweeps: each gap becomes the mean of what `from` says of its four neighbours.
+template <class Each>
+void for_all(std::size_t count, const Each& each) {
+  constexpr std::size_t kWorthAThread = 1 << 14;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kWorthAThread),
+                    [&each](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t k = range.begin(); k != range.end(); ++k) each(k);
+                    });
+}
+
+/// Jacobi sweeps: each gap becomes the mean of what `from` says of its four neighbours. In parallel, since
+/// none sees what another becomes.
 template <class From>
 void relax(const std::vector<Gap>& gaps, std::vector<float>* values, const From& mean) {
   std::vector<float> next(gaps.size());
   for (int sweep = 0; sweep < kFillSweeps; ++sweep) {
-    for (std::size_t k = 0; k < gaps.size(); ++k) next[k] = mean(gaps[k]);
-    for (std::size_t k = 0; k < gaps.size(); ++k) (*values)[gaps[k].self] = next[k];
+    for_all(gaps.size(), [&](std::size_t k) { next[k] = mean(gaps[k]); });
+    for_all(gaps.size(), [&](std::size_t k) { (*values)[gaps[k].self] = next[k]; });
   }
 }
 
 void fill_slopes(const FillLevel& coarser, const std::vector<float>& coarse, const FillLevel& level,
                  bool repeats, std::vector<float>* slopes) {
   const std::vector<Gap> gaps = find_gaps(level, repeats, *slopes);
-  for (const Gap& gap : gaps) {
-    (*slopes)[gap.self] = interpolated(coarser, level.columns, repeats, gap.self,
-                                       [&coarse](std::size_t cell) { return coarse[cell]; });
-  }
+  for_all(gaps.size(), [&](std::size_t k) {
+    (*slopes)[gaps[k].self] = interpolated(coarser, level.columns, repeats, gaps[k].self,
+                                           [&coarse](std::size_t cell) { return coarse[cell]; });
+  });
   relax(gaps, slopes, [&slopes](const Gap& gap) {
     const std::vector<float>& s = *slopes;
     return 0.25f * ((s[gap.west] + s[gap.east]) + (s[gap.south] + s[gap.north]));
@@ -111,15 +127,15 @@ void fill_heights(const FillLevel& coarser, float cell_nodes, bool repeats, Fill
   const std::vector<float>& east = level->east_m;
   const std::vector<float>& north = level->north_m;
   const std::vector<Gap> gaps = find_gaps(*level, repeats, z);
-  for (const Gap& gap : gaps) {
-    z[gap.self] = interpolated(coarser, level->columns, repeats, gap.self,
-                               [&coarser](std::size_t cell) { return coarser.heights_m[cell]; });
-  }
+  for_all(gaps.size(), [&](std::size_t k) {
+    z[gaps[k].self] = interpolated(coarser, level->columns, repeats, gaps[k].self,
+                                   [&coarser](std::size_t cell) { return coarser.heights_m[cell]; });
+  });
   // Each neighbour says: my height, and the way from me to you at the mean of our slopes. Across a border
   // nobody says anything, so that the ground leaves the map with the slope it has.
   const float half = 0.5f * cell_nodes;
   relax(gaps, &z, [&](const Gap& gap) {
-    const std::size_t self = gap.self;
+    const std::uint32_t self = gap.self;
     const float west = gap.west == self ? z[self] : z[gap.west] + half * (east[gap.west] + east[self]);
     const float from_east = gap.east == self ? z[self] : z[gap.east] - half * (east[gap.east] + east[self]);
     const float south = gap.south == self ? z[self] : z[gap.south] + half * (north[gap.south] + north[self]);

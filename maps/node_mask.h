@@ -15,6 +15,10 @@ class NodeMask {
   /// Marks the NaN of `values` (one channel, row by row).
   NodeMask(int columns, int rows, std::span<const float> values);
 
+  bool is_marked(int column, int row) const {
+    const auto i = static_cast<std::size_t>(column);
+    return (words_[static_cast<std::size_t>(row) * words_per_row_ + i / 64] >> (i % 64) & 1u) != 0;
+  }
   /// Whether a marked node lies in `rect`, which lies inside the grid.
   bool any(const NodeRect& rect) const;
 

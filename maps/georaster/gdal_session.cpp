@@ -23,7 +23,7 @@ struct Setting {
 constexpr std::array kSettings{
     Setting{"GDAL_VRT_ENABLE_PYTHON", "NO"},
     Setting{"GTIFF_REPORT_COMPD_CS", "YES"},  // the height's system beside that of the plane
-    Setting{"GDAL_NUM_THREADS", "1"},
+    Setting{"GDAL_NUM_THREADS", "4"},
     Setting{"VRT_SHARED_SOURCE", "0"},
     Setting{"OGR_GEOJSON_MAX_OBJ_SIZE", "64"},  // MB
 };

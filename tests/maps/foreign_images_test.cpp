@@ -18,6 +18,9 @@ using testing::write_image;
 
 constexpr std::uint64_t kBudget = std::uint64_t{1} << 28;
 
+/// Made before any thread.
+WorkerProcess g_decoder(fallible(chosen_by_name(map_works())));
+
 class ForeignImages : public ::testing::Test {
  protected:
   MapSpec spec(const std::string& name) const {
@@ -189,31 +192,29 @@ TEST_F(ForeignImages, AProgressiveJpegThatClaimsTooMuchIsRefusedAtOnce) {
 
 TEST_F(ForeignImages, WhatCrashesALibraryIsReadOrRefused) {
   // Inks in tiles end OpenImageIO's reader.
-  WorkerProcess decoder(fallible(chosen_by_name(map_works())));
   OIIO::ParamValueList attributes;
   attributes.attribute("tiff:ColorSpace", "CMYK");
   std::vector<std::uint8_t> pixels(32 * 32 * 4, 40);
   write_image(folder_ / "cmyk.tif", 32, 32, 4, TypeDesc::UINT8, pixels, attributes, 16);
   MapSpec inks = spec("cmyk.tif");
   inks.channel = "1";
-  const std::string said = refusal(inks, MapMeaning::kDensity, &decoder);
+  const std::string said = refusal(inks, MapMeaning::kDensity, &g_decoder);
   EXPECT_TRUE(said.empty() || has(said, "cmyk.tif")) << said;
   write_image(folder_ / "grey.png", 4, 4, 1, TypeDesc::UINT8, std::vector<std::uint8_t>(16, 40));
-  EXPECT_EQ(refusal(spec("grey.png"), MapMeaning::kDensity, &decoder), "") << "after it";
+  EXPECT_EQ(refusal(spec("grey.png"), MapMeaning::kDensity, &g_decoder), "") << "after it";
 }
 
 TEST_F(ForeignImages, AWorkerReadsWhatThisProcessReads) {
-  WorkerProcess decoder(fallible(chosen_by_name(map_works())));
   std::vector<std::uint16_t> pixels;
   for (int k = 0; k < 300 * 200; ++k) pixels.push_back(static_cast<std::uint16_t>(k * 31));
   write_image(folder_ / "a.png", 300, 200, 1, TypeDesc::UINT16, pixels);
   const Map here = read_map(spec("a.png"), MapMeaning::kDensity, kBudget);
-  const Map there = read_map(spec("a.png"), MapMeaning::kDensity, kBudget, nullptr, &decoder);
+  const Map there = read_map(spec("a.png"), MapMeaning::kDensity, kBudget, nullptr, &g_decoder);
   EXPECT_TRUE(std::ranges::equal(here.grid.values(), there.grid.values()));
   EXPECT_EQ(here.content_hash, there.content_hash);
   EXPECT_EQ(here.warnings, there.warnings);
   const MapRequest request{.spec = spec("a.png"), .meaning = MapMeaning::kDensity, .scene_wkt = ""};
-  EXPECT_EQ(layout_of_map(request, &decoder).columns, layout_of_map(request, nullptr).columns);
+  EXPECT_EQ(layout_of_map(request, &g_decoder).columns, layout_of_map(request, nullptr).columns);
 }
 
 }  // namespace
