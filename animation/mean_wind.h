@@ -28,6 +28,9 @@ class MeanWind {
   /// Throws BadInput that names the sample and what was expected.
   explicit MeanWind(const WindSeries& series);
 
+  /// Where its series was measured.
+  glm::dvec2 place_m() const { return place_m_; }
+
   glm::dvec2 velocity_m_per_s(glm::dvec2 position_m, double time_s) const;
 
   /// Takes the place of another wind at a time: what drifts with it goes on from where that has brought it.

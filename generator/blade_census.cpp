@@ -112,8 +112,12 @@ class BlockCensus {
       maps_.push_back(varies ? nodes_around(species.density_per_m2, box) : species.density_per_m2);
     }
     visit(i, j, i_end, j_end);
-    const double bin_m = bin_cells * lattice.step_m;
-    for (const double of_bin : bins_) densest_per_m2_ = std::max(densest_per_m2_, of_bin / (bin_m * bin_m));
+    for (std::size_t n = 0; n < bins_.size(); ++n) {
+      const std::int64_t x = i + static_cast<std::int64_t>(n) % bin_columns_ * bin_cells;
+      const std::int64_t y = j + static_cast<std::int64_t>(n) / bin_columns_ * bin_cells;
+      const double bin_m2 = area_m2(lattice.box(x, y, x + bin_cells, y + bin_cells));
+      if (bin_m2 > 0.0) densest_per_m2_ = std::max(densest_per_m2_, bins_[n] / bin_m2);
+    }
   }
 
   const std::vector<double>& blades() const { return blades_; }

@@ -207,11 +207,14 @@ MapSummary decode(StoredRaster& raster, const StoredGeoraster* windowed, const M
   census.out_of_range = static_cast<std::uint64_t>(static_cast<double>(census.out_of_range) * seen_share);
   census.nodes = counted.nodes;
   census.gaps = counted.gaps;
-  summary.warnings =
-      map_warnings(request.spec, request.meaning, census,
-                   {grid.note, pixels.mapping().note(),
-                    note_on_normalised(request, pixels, placement.geo_reference.has_value()),
-                    dropped_range ? "`range` is not used: the heights are metres, not 0 to 1" : ""});
+  summary.warnings = map_warnings(request.spec, request.meaning, census, grid.spacing_m);
+  const auto note = [&](const char* code, const std::string& text) {
+    if (!text.empty()) summary.warnings.push_back(map_note(request.spec, code, text));
+  };
+  note("resampled", grid.note);
+  note("scale-set-aside", pixels.mapping().note());
+  note("normalised", note_on_normalised(request, pixels, placement.geo_reference.has_value()));
+  if (dropped_range) note("range-not-used", "`range` is not used: the heights are metres, not 0 to 1");
   return summary;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "files/warning.h"
 #include "maps/node_grid.h"
 
 namespace prairie {
@@ -52,8 +53,8 @@ struct GeoReference {
 struct Map {
   NodeGrid grid;  // origin_m = (0, 0) at the south-west node
   std::optional<GeoReference> geo_reference;
-  std::uint64_t content_hash = 0;     // of the file's bytes
-  std::vector<std::string> warnings;  // "half of the nodes have no data", …
+  std::uint64_t content_hash = 0;  // of the file's bytes
+  std::vector<Warning> warnings;
 };
 
 /// Reads a map within `budget_bytes`; the nodes of one that would not fit go to a temporary file. Image row 0

@@ -27,7 +27,7 @@ struct MapSummary {
   std::optional<GeoReference> geo_reference;
   std::uint64_t content_hash = 0;
   bool has_gaps = false;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 }  // namespace prairie

@@ -129,7 +129,9 @@ class ArrivingMap {
       summary.geo_reference = geo_reference_of(message);
       summary.content_hash = message.number<std::uint64_t>();
       summary.has_gaps = message.number<std::uint8_t>() != 0;
-      summary.warnings = message.texts();
+      const std::vector<std::string> codes = message.texts(), texts = message.texts();
+      for (std::size_t n = 0; n < std::min(codes.size(), texts.size()); ++n)
+        summary.warnings.push_back({codes[n], texts[n]});
       summary_ = std::move(summary);
     }
   }
@@ -187,7 +189,12 @@ void decode(std::span<const std::byte> bytes, const MessageSink& reply) {
   const MapSummary summary = decode_map(request_of(message), sink);
   MessageWriter last = begun(Part::kSummary);
   put_geo_reference(last, summary.geo_reference);
-  last.put(summary.content_hash).put(static_cast<std::uint8_t>(summary.has_gaps)).put(summary.warnings);
+  std::vector<std::string> codes, texts;
+  for (const Warning& warning : summary.warnings) {
+    codes.push_back(warning.code);
+    texts.push_back(warning.text);
+  }
+  last.put(summary.content_hash).put(static_cast<std::uint8_t>(summary.has_gaps)).put(codes).put(texts);
   reply(last.bytes());
 }
 

@@ -48,7 +48,32 @@ void check_range(const MapSpec& spec) {
     fail(spec, fmt::format("`range` of {}, {}", low, high), "two different finite numbers");
 }
 
+/// Needs to be told before the census' own extremes.
+void take_extremes(float value, double stored, ValueCensus& census) {
+  census.levels.take(value);
+  const auto take = [&](Extreme& extreme, bool is_beyond, bool is_nearer) {
+    if (extreme.count == 0 || is_beyond) {
+      const float next = extreme.count == 0 ? value : extreme.value;
+      extreme = {.value = value, .stored = stored, .next = next, .count = 1};
+    } else if (value == extreme.value) {
+      ++extreme.count;
+    } else if (is_nearer || extreme.next == extreme.value) {
+      extreme.next = value;
+    }
+  };
+  take(census.lowest, value < census.lowest.value, value < census.lowest.next);
+  take(census.highest, value > census.highest.value, value > census.highest.next);
+}
+
 }  // namespace
+
+void LevelCensus::take(float value) {
+  constexpr std::size_t kMany = 4096;
+  if (!is_complete_ || value == last_) return;
+  last_ = value;
+  values_.insert(value);
+  is_complete_ = values_.size() <= kMany;
+}
 
 ValueMapping::ValueMapping(const MapSpec& spec, MapMeaning meaning, const StoredChannel& channel)
     : meaning_(meaning), type_(channel.type), scale_(channel.scale), offset_(channel.offset) {
@@ -178,11 +203,16 @@ void ValueMapping::map_pixels(std::span<const double> stored, int stored_channel
       ++census->gaps;
       continue;
     }
+    if (meaning_ == MapMeaning::kHeight) take_extremes(out[0], in[0], *census);
     for (std::size_t channel = 0; channel < channels; ++channel) {
       census->min = std::min(census->min, out[channel]);
       census->max = std::max(census->max, out[channel]);
     }
-    if (clamps && (quantity(in[0]) < low || quantity(in[0]) > high)) ++census->out_of_range;
+    if (!clamps) continue;
+    const double value = quantity(in[0]);
+    census->least_quantity = std::min(census->least_quantity, value);
+    census->most_quantity = std::max(census->most_quantity, value);
+    if (value < low || value > high) ++census->out_of_range;
   }
 }
 

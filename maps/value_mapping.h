@@ -7,12 +7,35 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "maps/map_file.h"
 #include "maps/stored_raster.h"
 
 namespace prairie {
+
+/// The least or the largest value of all, and that next to it.
+struct Extreme {
+  float value = 0.0f;
+  double stored = 0.0;
+  float next = 0.0f;
+  std::uint64_t count = 0;  // of nodes that hold it
+};
+
+/// Counts different values until there are many.
+class LevelCensus {
+ public:
+  void take(float value);
+  std::size_t count() const { return values_.size(); }
+  /// Whether all different values are counted.
+  bool is_complete() const { return is_complete_; }
+
+ private:
+  std::unordered_set<float> values_;
+  float last_ = std::numeric_limits<float>::quiet_NaN();
+  bool is_complete_ = true;
+};
 
 /// What was seen while mapping, for warnings.
 struct ValueCensus {
@@ -21,6 +44,10 @@ struct ValueCensus {
   std::uint64_t out_of_range = 0;  // clamped
   float min = std::numeric_limits<float>::infinity();
   float max = -std::numeric_limits<float>::infinity();
+  double least_quantity = std::numeric_limits<double>::infinity();  // as the file means its values
+  double most_quantity = -std::numeric_limits<double>::infinity();
+  Extreme lowest, highest;  // of heights
+  LevelCensus levels;       // of heights
 };
 
 class ValueMapping {

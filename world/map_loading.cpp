@@ -84,9 +84,9 @@ void MapLoader::check_cover(glm::dvec2 extent_m) {
     }
     constexpr double kNearlyAll = 0.999;
     if (share < kNearlyAll) {
-      findings_.warnings.push_back(fmt::format("{}: {}: covers only {:.1f} % of the ground",
-                                               map.file.string(), map.field,
-                                               std::floor(1000.0 * share) / 10.0));
+      findings_.warnings.push_back(
+          {"covers-part", fmt::format("{}: {}: covers only {:.1f} % of the ground", map.file.string(),
+                                      map.field, std::floor(1000.0 * share) / 10.0)});
     }
   }
 }

@@ -29,7 +29,7 @@ struct MapFindings {
   std::optional<GeoReference> geo_reference;            // of the scene's origin
   std::map<std::string, std::uint64_t> content_hashes;  // by MapSpec::field
   std::vector<LoadedMap> maps;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 class MapLoader {

@@ -59,7 +59,7 @@ void add_spawned(std::vector<Spawned>& all, std::size_t of_scene, const Spawned&
 Motion::Motion(const Scene& scene, const Meadow& meadow)
     : has_wind_(scene.wind.has_value()),
       species_(sway_species(scene, meadow)),
-      wind_(wind_of(scene)),
+      wind_(wind_of(scene, 0.5 * meadow.extent_m)),
       treading_(scene.treading),
       conditions_(scene.conditions),
       scene_primitives_(wind_.primitives.size()),

@@ -10,14 +10,14 @@
 namespace prairie {
 namespace {
 
-MeanWind mean_wind_of(const WindSpec& spec) {
+MeanWind mean_wind_of(const WindSpec& spec, glm::dvec2 middle_m) {
   if (!spec.file) return MeanWind(spec.speed_m_per_s * direction_of(heading_rad_of(spec.heading_deg)));
   WindFile measured = read_wind_file(*spec.file);
   WindSeries series;
   series.times_s = std::move(measured.times_s);
   series.speeds_m_per_s = std::move(measured.speeds_m_per_s);
   series.headings_rad = std::move(measured.headings_rad);
-  series.place_m = spec.place_m;
+  series.place_m = spec.place_m.value_or(middle_m);
   return MeanWind(series);
 }
 
@@ -31,10 +31,10 @@ std::optional<NoiseWind> turbulence_of(const Scene& scene, double factor) {
   return NoiseWind(settings);
 }
 
-Wind wind_of(const Scene& scene) {
+Wind wind_of(const Scene& scene, glm::dvec2 middle_m) {
   Wind wind;
   if (!scene.wind) return wind;
-  wind.mean = mean_wind_of(*scene.wind);
+  wind.mean = mean_wind_of(*scene.wind, middle_m);
   // Turbulence goes by the mean wind: calm air has none.
   const bool blows = scene.wind->file || scene.wind->speed_m_per_s > 0.0;
   if (blows) wind.noise = turbulence_of(scene, scene.wind->turbulence);

@@ -52,7 +52,7 @@ class World {
   std::uint64_t scene_hash() const { return scene_hash_; }
   /// Of what grows and moves alone, whatever it is looked at with: to whom a saved state belongs.
   std::uint64_t motion_hash() const { return motion_hash_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Warning>& warnings() const { return warnings_; }
   /// As the scene has them, in its order.
   const std::vector<Mover>& movers() const { return movers_; }
 
@@ -107,7 +107,7 @@ class World {
   std::vector<LoadedMap> maps_;
   std::uint64_t scene_hash_ = 0;
   std::uint64_t motion_hash_ = 0;
-  std::vector<std::string> warnings_;
+  std::vector<Warning> warnings_;
   std::vector<Mover> movers_;
   std::vector<DrivenMover> driven_;
   Crowd crowd_{recorded_gait()};

@@ -20,6 +20,7 @@ constexpr const char* kColumns = "columns time_s, x_m, y_m, z_m, yaw_deg, pitch_
 
 // What changes along a path, as numbers of equal standing.
 using Values = std::array<double, 6>;
+constexpr std::size_t kHeight = 2;
 
 Values values_of(const CameraSpec& camera) {
   return {camera.position_m.x, camera.position_m.y, camera.z_m,
@@ -38,8 +39,15 @@ double slope_at(const CameraPath& path, std::size_t row, std::size_t value) {
   if (row == last) return slope_between(path, last - 1, value);
   const double before_s = path.times_s[row] - path.times_s[row - 1];
   const double after_s = path.times_s[row + 1] - path.times_s[row];
-  return (slope_between(path, row - 1, value) * after_s + slope_between(path, row, value) * before_s) /
-         (before_s + after_s);
+  const double before = slope_between(path, row - 1, value), after = slope_between(path, row, value);
+  const double slope = (before * after_s + after * before_s) / (before_s + after_s);
+  if (value != kHeight || !path.cameras[row].z_above_ground) return slope;
+  // Between two rows the eye keeps to the heights of both: a cubic is monotone where its slopes are at most
+  // three times the chord's (Fritsch and Carlson 1980, Monotone Piecewise Cubic Interpolation). Else it would
+  // dive below the ground beside a row near to it.
+  if (!(before * after > 0.0)) return 0.0;
+  const double most = 3.0 * std::min(std::abs(before), std::abs(after));
+  return std::clamp(slope, -most, most);
 }
 
 }  // namespace

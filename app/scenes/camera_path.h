@@ -27,8 +27,8 @@ CameraPath parse_camera_path(std::string_view text, const std::string& name);
 CameraPath read_camera_path(const std::filesystem::path& path);
 
 /// On cubics through the rows whose slope at each is that of the parabola through it and its neighbours
-/// (Catmull-Rom, for times that need not be evenly spaced). Before the first row and after the last the
-/// camera stands still.
+/// (Catmull-Rom, for times that need not be evenly spaced); heights above the ground stay between those of
+/// the rows before and after. Before the first row and after the last the camera stands still.
 CameraSpec camera_at(const CameraPath& path, double time_s);
 
 }  // namespace prairie

@@ -11,20 +11,20 @@
 namespace prairie {
 namespace {
 
-std::vector<std::string> warnings_about(const SceneReport& report, double densest_per_m2) {
+std::vector<Warning> warnings_about(const SceneReport& report, double densest_per_m2) {
   constexpr double kDensePerM2 = 5000.0;  // a well-kept pasture; what is drawn of more cannot be told apart
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   if (densest_per_m2 > kDensePerM2) {
     warnings.push_back(
-        fmt::format("up to {:.0f} blades per m²: slow to draw, and no denser to the eye than {:.0f}",
-                    densest_per_m2, kDensePerM2));
+        {"dense",
+         fmt::format("up to {:.0f} blades per m²: slow to draw, and no denser to the eye than {:.0f}",
+                     densest_per_m2, kDensePerM2)});
   }
   for (const SpeciesReport& species : report.species) {
     if (species.expected_blades < 1.0) {
-      warnings.push_back(
-          fmt::format("species.{}: nothing grows; does its density map lie on measured ground, and is "
-                      "its range right?",
-                      species.name));
+      warnings.push_back({"nothing-grows", fmt::format("species.{}: nothing grows; does its density map lie "
+                                                       "on measured ground, and is its range right?",
+                                                       species.name)});
     }
   }
   return warnings;
@@ -63,7 +63,7 @@ SceneReport describe_scene(const World& world) {
   }
   report.geo_reference = world.geo_reference();
   report.warnings = world.warnings();
-  for (std::string& warning : warnings_about(report, census.densest_per_m2)) {
+  for (Warning& warning : warnings_about(report, census.densest_per_m2)) {
     report.warnings.push_back(std::move(warning));
   }
   return report;

@@ -46,7 +46,7 @@ struct SceneReport {
   std::size_t conditions = 0;
   std::vector<MoverReport> movers;
   std::optional<GeoReference> geo_reference;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 SceneReport describe_scene(const World& world);

@@ -61,6 +61,10 @@ JsonValue json_of(const WindSpec& wind) {
   return json;
 }
 
+JsonValue json_of(const Warning& warning) {
+  return JsonObject{{"code", warning.code}, {"text", warning.text}};
+}
+
 JsonValue json_of(const MoverReport& mover) {
   return JsonObject{{"name", mover.name},
                     {"kind", name_of(mover.kind)},
@@ -121,7 +125,7 @@ std::string info_text(const SceneReport& report) {
     text += fmt::format("mover     {}: {}, {} m/s along {:.1f} m{}\n", mover.name, name_of(mover.kind),
                         mover.speed_m_per_s, mover.length_m, mover.loops ? ", round and round" : "");
   }
-  for (const std::string& warning : report.warnings) text += fmt::format("warning   {}\n", warning);
+  for (const Warning& warning : report.warnings) text += fmt::format("warning   {}\n", warning.text);
   return text;
 }
 
@@ -144,7 +148,7 @@ std::string info_json(const SceneReport& report) {
                         {"conditions", report.conditions},
                         {"movers", json_of(report.movers)},
                         {"geo_reference", json_of(report.geo_reference)},
-                        {"warnings", json_array(report.warnings)}};
+                        {"warnings", json_of(report.warnings)}};
   return json_text(json) + '\n';  // paths may hold bytes that are no UTF-8
 }
 

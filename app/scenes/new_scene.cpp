@@ -181,7 +181,7 @@ double to_tenths(double value) {
 struct Found {
   CameraSpec camera;
   glm::dvec2 extent_m;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 // Opens the scene with the rasters where they lie now, and has it find a place to stand.
@@ -279,7 +279,7 @@ std::vector<std::string> write_from_rasters(NewSceneRequest request) {
   SceneFiles files(request.folder);
   for (const Copy& copy : copies) files.copy(copy.source, copy.name);
   files.finish(scene_text(scene, raster_notes(request)));
-  notes.insert(notes.end(), found.warnings.begin(), found.warnings.end());
+  for (const Warning& warning : found.warnings) notes.push_back(warning.text);
   std::erase(notes, "");
   return notes;
 }

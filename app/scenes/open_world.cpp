@@ -16,7 +16,7 @@ World open_world(const std::filesystem::path& folder, const GlobalOptions& globa
   options.decoder = globals.decoder;
   World world(read_scene(folder, globals.overrides), options);
   if (!globals.quiet) {
-    for (const std::string& warning : world.warnings()) say_warning(warning);
+    for (const Warning& warning : world.warnings()) say_warning(warning.text);
   }
   return world;
 }

@@ -28,7 +28,7 @@ float turned(float heading_deg, float by_deg) {
 WindControls wind_controls_of(const Scene& scene, const Wind& wind) {
   WindControls controls;
   if (!scene.wind) return controls;
-  const glm::dvec2 velocity = wind.mean.velocity_m_per_s(scene.wind->place_m, 0.0);
+  const glm::dvec2 velocity = wind.mean.velocity_m_per_s(wind.mean.place_m(), 0.0);
   const double speed = glm::length(velocity);
   const double bearing_deg =
       speed > 0.0 ? glm::degrees(std::atan2(velocity.x, velocity.y)) : scene.wind->heading_deg;

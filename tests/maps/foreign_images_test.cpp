@@ -6,6 +6,7 @@
 
 #include "files/error.h"
 #include "files/fallible_work.h"
+#include "maps/height_field.h"
 #include "maps/map_file.h"
 #include "maps/map_work.h"
 #include "tests/maps/test_images.h"
@@ -141,7 +142,8 @@ TEST_F(ForeignImages, HeightsOfZeroToOneTakeARange) {
     write_image(folder_ / name, 8, 8, 1, TypeDesc::FLOAT, shares);
     MapSpec ranged = spec(name);
     const Map plain = read_map(ranged, MapMeaning::kHeight, kBudget);
-    EXPECT_TRUE(std::ranges::any_of(plain.warnings, [](const auto& line) { return has(line, "`range`"); }));
+    EXPECT_TRUE(std::ranges::any_of(plain.warnings,
+                                    [](const auto& warning) { return has(warning.text, "`range`"); }));
     ranged.range = {{10.0, 310.0}};
     const Map map = read_map(ranged, MapMeaning::kHeight, kBudget);
     EXPECT_NEAR(pixel(map, 0, 0), 10.0f, 1e-4f);
@@ -155,7 +157,47 @@ TEST_F(ForeignImages, HeightsOfZeroToOneTakeARange) {
   metres.range = {{0.0, 100.0}};
   const Map map = read_map(metres, MapMeaning::kHeight, kBudget);
   EXPECT_EQ(pixel(map, 1, 1), 300.0f) << "they are metres already";
-  EXPECT_TRUE(std::ranges::any_of(map.warnings, [](const auto& line) { return has(line, "not used"); }));
+  EXPECT_TRUE(
+      std::ranges::any_of(map.warnings, [](const auto& warning) { return has(warning.text, "not used"); }));
+}
+
+TEST_F(ForeignImages, HeightsInStairsAreWarnedOf) {
+  std::vector<float> hills;
+  for (int k = 0; k < 100 * 100; ++k)
+    hills.push_back(0.5f + 0.1f * std::sin(static_cast<float>(k % 100) / 9.0f) *
+                               std::cos(static_cast<float>(k) / 1100.0f));
+  const auto codes = [&](const char* name, TypeDesc type, double spacing_m) {
+    write_image(folder_ / name, 100, 100, 1, type, hills);
+    MapSpec heights = spec(name);
+    heights.range = {{0.0, 100.0}};
+    heights.spacing_m = spacing_m;
+    std::vector<std::string> found;
+    for (const Warning& warning : read_map(heights, MapMeaning::kHeight, kBudget).warnings)
+      found.push_back(warning.code);
+    return found;
+  };
+  EXPECT_EQ(codes("h8.png", TypeDesc::UINT8, 1.0), std::vector<std::string>{"stairs"});
+  EXPECT_EQ(codes("h16.png", TypeDesc::UINT16, 1.0), std::vector<std::string>());
+  EXPECT_TRUE(codes("h8.png", TypeDesc::UINT8, 30.0).empty())
+      << "steps of 0.4 m are nothing to nodes 30 m apart";
+}
+
+TEST_F(ForeignImages, AValueFarFromAllOthersIsWarnedOf) {
+  std::vector<float> highland(64 * 64);
+  for (std::size_t k = 0; k < highland.size(); ++k)
+    highland[k] = k < 40 ? 0.0f : 1500.0f + 0.01f * static_cast<float>(k % 977);
+  write_image(folder_ / "h.exr", 64, 64, 1, TypeDesc::FLOAT, highland);
+  const Map map = read_map(spec("h.exr"), MapMeaning::kHeight, kBudget);
+  ASSERT_EQ(map.warnings.size(), 1u);
+  EXPECT_EQ(map.warnings[0].code, "lone-value");
+  EXPECT_TRUE(has(map.warnings[0].text, "`nodata = 0`")) << map.warnings[0].text;
+  MapSpec advised = spec("h.exr");
+  advised.nodata = 0.0;
+  EXPECT_EQ(HeightField(read_map(advised, MapMeaning::kHeight, kBudget).grid).range().min_m, 1500.0f);
+  // A lake beside low land is ground.
+  for (std::size_t k = 40; k < highland.size(); ++k) highland[k] = 0.01f * static_cast<float>(k % 977);
+  write_image(folder_ / "lake.exr", 64, 64, 1, TypeDesc::FLOAT, highland);
+  EXPECT_TRUE(read_map(spec("lake.exr"), MapMeaning::kHeight, kBudget).warnings.empty());
 }
 
 TEST_F(ForeignImages, RawHeightsOfEnginesNeedTheirSize) {

@@ -44,7 +44,7 @@ class ForeignRasters : public ::testing::Test {
     return text.find(part) != std::string::npos;
   }
   static bool warns_of(const Map& map, const std::string& part) {
-    return std::ranges::any_of(map.warnings, [&](const std::string& line) { return has(line, part); });
+    return std::ranges::any_of(map.warnings, [&](const Warning& warning) { return has(warning.text, part); });
   }
   RasterPlan utm() const {
     RasterPlan plan;

@@ -123,7 +123,8 @@ TEST_F(MapFile, DensityFollowsRangeCurveAndMax) {
   EXPECT_NEAR(map.grid.values()[2], 250.0f, 1e-3f);
   EXPECT_EQ(map.grid.values()[4], 1000.0f);
   ASSERT_EQ(map.warnings.size(), 1u);
-  EXPECT_TRUE(has(map.warnings[0], "40.0 % of the values lie outside the range")) << map.warnings[0];
+  EXPECT_TRUE(has(map.warnings[0].text, "40.0 % of the values lie outside the range"))
+      << map.warnings[0].text;
   // A factor is straight.
   EXPECT_NEAR(values_of(spec, MapMeaning::kFactor)[2], 500.0f, 1e-3f);
   // Dark may mean dense.
@@ -210,7 +211,7 @@ TEST_F(MapFile, EveryCustomaryNodataIsAGap) {
   const Map map = read_map(spec, MapMeaning::kHeight, kBudget);
   for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(std::isnan(map.grid.values()[k]), k != 0 && k != 7) << k;
   ASSERT_EQ(map.warnings.size(), 1u);
-  EXPECT_TRUE(has(map.warnings[0], "75.0 % of the nodes have no data"));
+  EXPECT_TRUE(has(map.warnings[0].text, "75.0 % of the nodes have no data"));
 
   write_image<std::int16_t>(folder_ / "i.tif", 4, 1, 1, TypeDesc::INT16, {100, -9999, -32768, 200});
   spec = spec_of(folder_ / "i.tif");
@@ -254,11 +255,11 @@ TEST_F(MapFile, WarnsOfMapsThatAreProbablyNotMeant) {
   write_image<std::uint8_t>(folder_ / "black.png", 2, 2, 1, TypeDesc::UINT8, {0, 0, 0, 0});
   Map map = read_map(spec_of(folder_ / "black.png"), MapMeaning::kDensity, kBudget);
   ASSERT_EQ(map.warnings.size(), 1u);
-  EXPECT_TRUE(has(map.warnings[0], "nothing grows"));
+  EXPECT_TRUE(has(map.warnings[0].text, "nothing grows"));
   write_image<std::uint8_t>(folder_ / "flat.png", 2, 2, 1, TypeDesc::UINT8, {9, 9, 9, 9});
   map = read_map(spec_of(folder_ / "flat.png"), MapMeaning::kDensity, kBudget);
   ASSERT_EQ(map.warnings.size(), 1u);
-  EXPECT_TRUE(has(map.warnings[0], "same value"));
+  EXPECT_TRUE(has(map.warnings[0].text, "same value"));
 }
 
 TEST_F(MapFile, ImpossibleNumbersAreRefused) {

@@ -30,8 +30,8 @@ class MapPlacement : public ::testing::Test {
     return "";
   }
   bool warns_of(const MapSpec& spec, const std::string& part) const {
-    for (const std::string& warning : read(spec).warnings) {
-      if (warning.find(part) != std::string::npos) return true;
+    for (const Warning& warning : read(spec).warnings) {
+      if (warning.text.find(part) != std::string::npos) return true;
     }
     return false;
   }

@@ -268,8 +268,9 @@ TEST_P(RasterMatrix, HeightsAreThoseOfAnIndependentReading) {
     }
     EXPECT_LE(worst_m, allowed_m) << "of a relief of " << relief_m << " m";
     RecordProperty(fmt::format("worst_share_{}", type), fmt::format("{:.2e}", worst_m / relief_m));
-    const bool says_so = std::ranges::any_of(
-        map.warnings, [](const std::string& line) { return line.find("resampled") != std::string::npos; });
+    const bool says_so = std::ranges::any_of(map.warnings, [](const Warning& warning) {
+      return warning.text.find("resampled") != std::string::npos;
+    });
     EXPECT_EQ(says_so, form.is_resampled);
     ++read;
   }

@@ -41,7 +41,8 @@ TEST_F(RealMaps, KonzaLiesWhereItShould) {
   EXPECT_EQ(map.geo_reference->west_m, 702000.5);
   EXPECT_EQ(map.geo_reference->south_m, 4333000.5);
   ASSERT_EQ(map.warnings.size(), 1u);
-  EXPECT_NE(map.warnings[0].find("46.9 % of the nodes have no data"), std::string::npos) << map.warnings[0];
+  EXPECT_NE(map.warnings[0].text.find("46.9 % of the nodes have no data"), std::string::npos)
+      << map.warnings[0].text;
   const HeightField ground(map.grid);
   EXPECT_NEAR(ground.range().min_m, 309.6f, 0.1f);
   EXPECT_NEAR(ground.range().max_m, 367.7f, 0.1f);

@@ -47,7 +47,7 @@ TEST(World, ExtentIsTheHeightMaps) {
   const World world = open_scene(folder.path(), kMappedScene);
   EXPECT_EQ(world.meadow().extent_m, glm::dvec2(20.0, 40.0));
   EXPECT_FLOAT_EQ(world.meadow().ground.height_m({4.0, 6.0}), 10.5f);
-  EXPECT_TRUE(world.warnings().empty()) << world.warnings().front();
+  EXPECT_TRUE(world.warnings().empty()) << world.warnings().front().text;
 }
 
 TEST(World, ExtentIsTheFirstDensityMapsWithoutAHeightMap) {
@@ -76,7 +76,8 @@ TEST(World, PlacesMapsByTheirGeoReference) {
   EXPECT_TRUE(std::isnan(density.sample({5.0, 10.0}))) << "west of the map";
   EXPECT_EQ(world.geo_reference()->south_m, 4'333'000.5);
   ASSERT_FALSE(world.warnings().empty());
-  EXPECT_NE(world.warnings().back().find("covers only"), std::string::npos) << world.warnings().back();
+  EXPECT_NE(world.warnings().back().text.find("covers only"), std::string::npos)
+      << world.warnings().back().text;
 }
 
 TEST(World, PlacesMapsThatStayOnDiskToo) {
@@ -114,8 +115,8 @@ TEST(World, CoarserMapsOfTheSameAreaCoverIt) {
   write_raster(folder / "height.tif", 100, 100, 1.0, glm::dvec2(0.5, 0.5), rolling);
   write_raster(folder / "density.tif", 20, 20, 5.0, glm::dvec2(2.5, 2.5), column_share);
   const World world = open_scene(folder.path(), kMappedScene);
-  for (const std::string& warning : world.warnings())
-    EXPECT_EQ(warning.find("covers"), std::string::npos) << warning;
+  for (const Warning& warning : world.warnings())
+    EXPECT_EQ(warning.text.find("covers"), std::string::npos) << warning.text;
 }
 
 TEST(World, RepeatsEndlessly) {

@@ -65,7 +65,7 @@ struct WindSpec {
   double heading_deg = 90.0;
   double turbulence = 1.0;  // factor on the noise; 0: none, as with a file that is all there is
   std::optional<std::filesystem::path> file;  // a measured series in place of speed and heading
-  glm::dvec2 place_m{0.0};                    // where it was measured
+  std::optional<glm::dvec2> place_m;          // where it was measured; none: in the middle of the ground
   std::vector<WindPrimitive> primitives;
 };
 

@@ -40,9 +40,17 @@ std::string file_text(const KeyTraits&, const Scene& scene, const WindSpec& wind
 }
 
 void read_place(TableReader& table, const KeyTraits& key, const Scene&, WindSpec& wind) {
-  read_value(table, key, wind.place_m);
+  if (table.has(key.name)) read_value(table, key, wind.place_m.emplace());
   if (!wind.file && table.has(key.name))
     table.refuse(key.name, "a place without a file", "the place where the file's wind was measured");
+}
+
+void hash_place(CanonicalText& text, const KeyTraits& key, const ContentHashes&, const WindSpec& wind) {
+  if (wind.place_m) text.add(key.hash.name, *wind.place_m);
+}
+
+std::string place_text(const KeyTraits&, const Scene&, const WindSpec& wind) {
+  return wind.place_m ? fmt::format("[{}, {}]", wind.place_m->x, wind.place_m->y) : std::string();
 }
 
 template <class Primitive>
@@ -83,8 +91,8 @@ const KeyTable<WindSpec>& wind_keys() {
        .applies = is_measured},
       {.traits = {.name = "place_m", .range = kPositionM, .hash = {"place_m", 1}},
        .read = read_place,
-       .hash = hash_member<WindSpec, &WindSpec::place_m>,
-       .text = member_text<WindSpec, &WindSpec::place_m>,
+       .hash = hash_place,
+       .text = place_text,
        .applies = is_measured},
   }};
   return table;

@@ -50,6 +50,20 @@ TEST(CameraPath, TurnsTheShorterWay) {
   EXPECT_FALSE(path.cameras[0].z_above_ground);
 }
 
+TEST(CameraPath, HeightsAboveTheGroundStayBetweenThoseOfTheRows) {
+  const CameraPath path = parse_camera_path(
+      kColumns + "0,0,0,+3,0,0,60\n1,1,0,+0.1,0,0,60\n2,2,0,+0.1,0,0,60\n3,3,0,+3,0,0,60\n4,4,0,+9,0,0,60\n",
+      "p");
+  for (int frame = 0; frame <= 400; ++frame) {
+    const double time_s = 0.01 * frame;
+    const double z_m = camera_at(path, time_s).z_m;
+    const auto row = static_cast<std::size_t>(std::min(time_s, 3.999));
+    const double a = path.cameras[row].z_m, b = path.cameras[row + 1].z_m;
+    EXPECT_GE(z_m, std::min(a, b) - 1e-12) << time_s;
+    EXPECT_LE(z_m, std::max(a, b) + 1e-12) << time_s;
+  }
+}
+
 TEST(CameraPath, OneRowStands) {
   const CameraPath path = parse_camera_path("time_s,yaw_deg,pitch_deg,x_m,y_m,z_m\n3,1,2,4,5,6\n", "p");
   EXPECT_EQ(camera_at(path, 0.0).z_m, 6.0);

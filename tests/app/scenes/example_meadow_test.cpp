@@ -57,7 +57,7 @@ TEST(ExampleMeadow, DefaultCamerasStandOnPlantedGround) {
       const NodeGrid& fescue = world.meadow().species[0].density_per_m2;
       EXPECT_GT(fescue.sample(camera.position_m), 300.0f) << camera.name << ", seed " << seed;
     }
-    EXPECT_TRUE(world.warnings().empty()) << world.warnings().front();
+    EXPECT_TRUE(world.warnings().empty()) << world.warnings().front().text;
   }
 }
 

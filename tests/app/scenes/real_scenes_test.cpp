@@ -83,7 +83,7 @@ TEST_F(RealScenes, NorthernPlains) {
   const World world = new_world("nogp_neon_1m/NEON_D09_NOGP_DP3_350000_5185000_DTM.tif", "");
   EXPECT_EQ(world.meadow().extent_m, glm::dvec2(999.0, 999.0));
   expect_a_place_to_stand(world);
-  EXPECT_TRUE(world.warnings().empty()) << world.warnings().front();
+  EXPECT_TRUE(world.warnings().empty()) << world.warnings().front().text;
 }
 
 TEST_F(RealScenes, SavannaAtFourMetres) {

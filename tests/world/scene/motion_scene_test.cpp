@@ -331,6 +331,14 @@ TEST(SceneWind, ReplaysAMeasuredSeries) {
   EXPECT_TRUE(wind_of(parse_scene(text + "turbulence = 1\n", folder.path(), {})).noise);
 }
 
+TEST(SceneWind, AMeasuredSeriesHoldsInTheMiddleOfTheGround) {
+  const TemporaryFolder folder;
+  testing::write_text(folder / "w.csv", "time_s,speed_m_per_s,direction_deg\n0,4,270\n10,8,270\n");
+  const std::string text = std::string(kPlainScene) + "[wind]\nfile = \"w.csv\"\n";
+  const Wind wind = wind_of(parse_scene(text, folder.path(), {}), {500.0, 500.0});
+  EXPECT_NEAR(wind_m_per_s(wind, {500.0, 500.0}, 5.0).x, 6.0f, 1e-3f);
+}
+
 TEST(SceneWind, RefusesAFileThatHoldsNone) {
   const TemporaryFolder folder;
   const std::string text = std::string(kPlainScene) + "[wind]\nfile = \"w.csv\"\n";
