@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "agents/gpx_file.h"
+#include "agents/track_tables.h"
 #include "files/csv_table.h"
-#include "files/decimal.h"
 #include "files/error.h"
 
 namespace prairie {
@@ -22,38 +21,16 @@ constexpr double kAfterGpxTimesS = 1e12;  // the year 9999 ends at 2.5e11
 constexpr double kGridPerM = 1024.0;
 constexpr std::size_t kShown = 40;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-constexpr std::string_view kBlank = " \t\r";
 
-/// One walker at one time, as a line of the file says it.
-struct Row {
-  std::int64_t id = 0;
-  std::size_t line = 0;
-  double time_s = 0.0;
-  glm::dvec2 position_m{0.0};
-  bool goes_on = false;  // from the row before, however long that took
-};
-
-/// What the formats differ in once their rows are read.
-struct Recording {
-  std::vector<Row> rows;
-  double longest_gap_s = kLongestGapS;
-  std::string if_too_fast = ": positions look like centimetres, where metres are expected";
-};
-
-void check_count(std::size_t rows, const std::string& name) {
-  if (rows <= kMostTrackRows) return;
-  throw BadInput(name, "", fmt::format("more than {} rows", kMostTrackRows), "at most as many");
-}
-
-Recording read_csv(std::string_view text, const std::string& name) {
+TrackRecording read_csv(std::string_view text, const std::string& name) {
   CsvTable table(text, name);
   const std::string expected = "columns time_s, id, x_m, y_m";
   const std::size_t time = table.need("time_s", expected), id = table.need("id", expected);
   const std::size_t x = table.need("x_m", expected), y = table.need("y_m", expected);
-  Recording recording;
+  TrackRecording recording;
   std::size_t line = 1;
   while (table.next_row()) {
-    check_count(recording.rows.size() + 1, name);
+    check_row_count(recording.rows.size() + 1, kMostTrackRows, name);
     const double number = table.number(id, -kLargestId, kLargestId);
     if (number != std::trunc(number)) table.refuse(id, "a whole number");
     recording.rows.push_back(
@@ -61,65 +38,6 @@ Recording read_csv(std::string_view text, const std::string& name) {
          ++line,
          table.number(time, -kFarthestTimeS, kFarthestTimeS),
          {table.number(x, -kFarthestM, kFarthestM), table.number(y, -kFarthestM, kFarthestM)}});
-  }
-  return recording;
-}
-
-std::string_view taken_line(std::string_view& rest) {
-  const std::size_t length = std::min(rest.find('\n'), rest.size());
-  const std::string_view line = rest.substr(0, length);
-  rest.remove_prefix(std::min(length + 1, rest.size()));
-  return line;
-}
-
-/// Takes the text up to the next blank, and both away from `rest`; empty at the end.
-std::string_view taken_cell(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
-  const std::string_view cell = rest.substr(0, std::min(rest.find_first_of(kBlank), rest.size()));
-  rest.remove_prefix(cell.size());
-  return cell;
-}
-
-struct UcyColumn {
-  std::string_view name;
-  double most;
-};
-constexpr std::array<UcyColumn, 8> kUcyColumns = {{{"frame", kFarthestTimeS},
-                                                   {"id", kLargestId},
-                                                   {"pos_x", kFarthestM},
-                                                   {"pos_z", kFarthestM},
-                                                   {"pos_y", kFarthestM},
-                                                   {"v_x", kFarthestM},
-                                                   {"v_z", kFarthestM},
-                                                   {"v_y", kFarthestM}}};
-
-Row read_ucy_line(std::string_view text, std::size_t line, const std::string& name) {
-  std::array<double, kUcyColumns.size()> values{};
-  for (std::size_t n = 0; n < values.size(); ++n) {
-    const UcyColumn& column = kUcyColumns[n];
-    const std::string_view cell = taken_cell(text);
-    const std::optional<double> value = parse_decimal(cell);
-    const bool whole = n != 1 || (value && *value == std::trunc(*value));
-    if (!value || !whole || !(std::abs(*value) <= column.most)) {
-      throw BadInput(name, fmt::format("line {}: {} (column {})", line, column.name, n + 1),
-                     cell.empty() ? "nothing" : fmt::format("\"{}\"", cell.substr(0, kShown)),
-                     fmt::format("a {}number, {} to {}", n == 1 ? "whole " : "", -column.most, column.most));
-    }
-    values[n] = *value;
-  }
-  if (const std::string_view more = taken_cell(text); !more.empty())
-    throw BadInput(name, fmt::format("line {}", line),
-                   fmt::format("\"{}\" behind the eighth number", more.substr(0, kShown)), "eight numbers");
-  return {static_cast<std::int64_t>(values[1]), line, values[0] / kUcyFramesPerS, {values[2], values[4]}};
-}
-
-Recording read_ucy(std::string_view rest, const std::string& name) {
-  Recording recording;
-  for (std::size_t line = 1; !rest.empty(); ++line) {
-    const std::string_view text = taken_line(rest);
-    if (text.find_first_not_of(kBlank) == std::string_view::npos) continue;
-    check_count(recording.rows.size() + 1, name);
-    recording.rows.push_back(read_ucy_line(text, line, name));
   }
   return recording;
 }
@@ -166,7 +84,7 @@ double start_of(const std::vector<GpxSegment>& segments) {
 
 /// Adds a segment that has no times: at an even pace along it, points that lie where the one before does left
 /// out.
-void add_untimed(std::vector<Row>& rows, std::vector<Row> segment) {
+void add_untimed(std::vector<TrackRow>& rows, std::vector<TrackRow> segment) {
   double way_m = 0.0;
   for (std::size_t n = 0; n < segment.size(); ++n) {
     const double step_m = n == 0 ? 0.0 : glm::distance(segment[n].position_m, segment[n - 1].position_m);
@@ -178,15 +96,18 @@ void add_untimed(std::vector<Row>& rows, std::vector<Row> segment) {
   }
 }
 
-Recording read_gpx(std::string_view text, const std::string& name, const std::optional<UtmFrame>& scene) {
+TrackRecording read_gpx(std::string_view text, const std::string& name,
+                        const std::optional<UtmFrame>& scene) {
   const std::vector<GpxSegment> segments = parse_gpx(text, name);
   const UtmFrame frame = scene ? *scene : frame_of_first(segments, name);
   const double start_s = start_of(segments);
-  Recording recording;
+  TrackRecording recording;
   recording.longest_gap_s = kLongestGpxGapS;
+  recording.leaves_out_repeated = true;
+  recording.is_on_earth = true;
   recording.if_too_fast = "";
   for (std::size_t n = 0; n < segments.size(); ++n) {
-    std::vector<Row> rows;
+    std::vector<TrackRow> rows;
     for (const GpxPoint& point : segments[n]) {
       const bool timed = segments[n].front().time_s.has_value();
       if (point.time_s.has_value() != timed) {
@@ -209,28 +130,39 @@ Recording read_gpx(std::string_view text, const std::string& name, const std::op
 }
 
 /// By rising id; splits where nothing is known for too long.
-std::vector<Track> tracks_of(std::vector<Row>& rows, double longest_gap_s, const std::string& name) {
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.id < b.id; });
+std::vector<Track> tracks_of(TrackRecording& recording, const std::string& name) {
+  std::vector<TrackRow>& rows = recording.rows;
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const TrackRow& a, const TrackRow& b) { return a.id < b.id; });
   std::vector<Track> tracks;
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    const Row& row = rows[n];
-    const bool again = n > 0 && rows[n - 1].id == row.id;
-    const double step_s = again ? row.time_s - rows[n - 1].time_s : 0.0;
+  std::size_t left_out = 0;
+  const TrackRow* before = nullptr;  // that was kept
+  for (const TrackRow& row : rows) {
+    const bool again = before != nullptr && before->id == row.id;
+    const double step_s = again ? row.time_s - before->time_s : 0.0;
     if (again && !(step_s >= kLeastStepS)) {
+      if (recording.leaves_out_repeated) {
+        ++left_out;
+        continue;
+      }
       throw BadInput(name, fmt::format("line {}: time", row.line),
-                     fmt::format("{} s after {} s (line {}) for id {}", row.time_s, rows[n - 1].time_s,
-                                 rows[n - 1].line, row.id),
+                     fmt::format("{} s after {} s (line {}) for id {}", row.time_s, before->time_s,
+                                 before->line, row.id),
                      "times that rise for each walker");
     }
-    if (!again || (step_s > longest_gap_s && !row.goes_on)) tracks.push_back({row.id, {}, {}});
+    if (!again || (step_s > recording.longest_gap_s && !row.goes_on)) tracks.push_back({row.id, {}, {}});
     tracks.back().times_s.push_back(row.time_s);
     tracks.back().positions_m.push_back(row.position_m);
+    before = &row;
   }
+  if (left_out > 0)
+    recording.notes.push_back(
+        fmt::format("{} points left out whose times repeat or go back, of {}", left_out, rows.size()));
   return tracks;
 }
 
 /// Refuses what says one walker's places at times that are always too far apart.
-void check_gaps(const std::vector<Row>& rows, const std::vector<Track>& tracks, double longest_gap_s,
+void check_gaps(const std::vector<TrackRow>& rows, const std::vector<Track>& tracks, double longest_gap_s,
                 const std::string& name) {
   if (tracks.size() < rows.size()) return;
   double shortest_s = 0.0;
@@ -243,7 +175,7 @@ void check_gaps(const std::vector<Row>& rows, const std::vector<Track>& tracks, 
                  fmt::format("at most {} s somewhere", longest_gap_s));
 }
 
-void check_speed(const std::vector<Track>& tracks, const Recording& recording, const std::string& name) {
+void check_speed(const std::vector<Track>& tracks, const TrackRecording& recording, const std::string& name) {
   std::vector<double> speeds_m_per_s;
   for (const Track& track : tracks) {
     for (std::size_t n = 1; n < track.times_s.size(); ++n) {
@@ -259,38 +191,48 @@ void check_speed(const std::vector<Track>& tracks, const Recording& recording, c
                  fmt::format("walkers at up to {} m/s{}", kMostMedianSpeedMPerS, recording.if_too_fast));
 }
 
-Recording read_rows(std::string_view text, const std::string& name, const std::optional<UtmFrame>& scene) {
+/// As spreadsheets write where the comma is the decimal sign: "0,4;1;2,5", or with tabs.
+std::string with_commas(std::string text, char between) {
+  std::ranges::replace(text, ',', '.');
+  std::ranges::replace(text, between, ',');
+  return text;
+}
+
+TrackRecording read_rows(std::string_view text, const std::string& name, const TrackRequest& request) {
   std::string_view rest = text;
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   const std::size_t first = rest.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && rest[first] == '<') return read_gpx(text, name, scene);
-  std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
-  if (line.find(',') != std::string_view::npos) return read_csv(text, name);
-  if (first != std::string_view::npos) {
-    std::string_view cells = rest.substr(first);
-    cells = taken_line(cells);
-    if (parse_decimal(taken_cell(cells))) return read_ucy(rest, name);
+  if (first != std::string_view::npos && rest[first] == '<') return read_gpx(text, name, request.scene);
+  if (is_track_table(rest)) return read_track_table(rest, name, request.frames_per_s);
+  const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
+  for (const char between : {';', '\t'}) {
+    if (line.find(between) != std::string_view::npos)
+      return read_csv(with_commas(std::string(rest), between), name);
   }
+  if (line.find(',') != std::string_view::npos) return read_csv(text, name);
   throw BadInput(
       name, "line 1", line.empty() ? "nothing" : fmt::format("\"{}\"", line.substr(0, kShown)),
-      "tracks: CSV with columns time_s, id, x_m, y_m, a UCY obsmat of eight numbers a line, or GPX");
+      "tracks: CSV with columns time_s, id, x_m, y_m; lines of eight (UCY obsmat), four (TrajNet) or five "
+      "(Jülich) numbers; or GPX");
 }
 
 }  // namespace
 
-std::vector<Track> parse_tracks(std::string_view text, const std::string& name,
-                                const std::optional<UtmFrame>& scene) {
-  Recording recording = read_rows(text, name, scene);
+TrackFile parse_tracks(std::string_view text, const std::string& name, const TrackRequest& request) {
+  TrackRecording recording = read_rows(text, name, request);
   if (recording.rows.empty()) throw BadInput(name, "", "no row", "at least one place of a walker");
-  std::vector<Track> tracks = tracks_of(recording.rows, recording.longest_gap_s, name);
-  check_gaps(recording.rows, tracks, recording.longest_gap_s, name);
-  check_speed(tracks, recording, name);
-  return tracks;
+  TrackFile file;
+  file.tracks = tracks_of(recording, name);
+  check_gaps(recording.rows, file.tracks, recording.longest_gap_s, name);
+  check_speed(file.tracks, recording, name);
+  file.notes = std::move(recording.notes);
+  file.is_on_earth = recording.is_on_earth;
+  return file;
 }
 
-std::vector<Track> read_tracks(const std::filesystem::path& path, const std::string& field,
-                               const std::optional<UtmFrame>& scene) {
-  return parse_tracks(read_text_input(path, field, kMostTrackFileBytes), path.string(), scene);
+TrackFile read_tracks(const std::filesystem::path& path, const std::string& field,
+                      const TrackRequest& request) {
+  return parse_tracks(read_text_input(path, field, kMostTrackFileBytes), path.string(), request);
 }
 
 }  // namespace prairie

@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/replay_options.h"
 #include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
 #include "app/outputs/export_manifest.h"
@@ -38,6 +39,7 @@ struct ExportOptions {
   std::optional<glm::dvec3> lod_eye_m;
   glm::ivec2 size_px{512, 512};
   int samples = 1;
+  ReplayOptions replay;
   StateOptions state;
 };
 
@@ -114,6 +116,7 @@ int export_tiles(const ExportOptions& options, const GlobalOptions& globals) {
   const std::vector<Shot> shots = all_shots(chosen_tiles(options.tiles, world.meadow()), options);
 
   const double tallest_m = tallest_blade_m(world.meadow());  // once: it reads a whole map
+  replay_as_asked(options.replay, globals, world);
   begin_as_asked(options.state, world);
   save_asked_state(options.state, world);
 
@@ -171,6 +174,9 @@ Command export_command() {
        .target = parsed_into(options->tiers, tiers_option)},
       picture_size_option(options->size_px),
       picture_samples_option(options->samples),
+      replay_option(options->replay),
+      replay_at_option(options->replay),
+      replay_fps_option(options->replay),
       time_option(options->state),
       load_state_option(options->state),
       save_state_option(options->state),

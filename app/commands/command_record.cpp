@@ -7,6 +7,7 @@
 #include "app/commands/clip_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/replay_options.h"
 #include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
 #include "app/outputs/frame_run.h"
@@ -23,6 +24,7 @@ namespace {
 struct RecordOptions {
   std::filesystem::path folder;
   ClipOptions clip;
+  ReplayOptions replay;
 };
 
 int record(const RecordOptions& options, const GlobalOptions& globals) {
@@ -34,6 +36,7 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
   Clip clip(format, globals.threads);
   World world = open_world(options.folder, globals);
   const ClipView view = asked_view(options.clip, path, world);
+  replay_as_asked(options.replay, globals, world);
   begin_as_asked(options.clip.state, world);
   Recording recording(clip, view, globals, world);
   {
@@ -68,6 +71,9 @@ Command record_command() {
                        "of these names; z as +1.7 is above the ground"),
       clip_duration_option(clip, "Seconds (the path's, or 10)"),
       frame_rate_option(clip, "Frames a second (30)"),
+      replay_option(options->replay),
+      replay_at_option(options->replay),
+      replay_fps_option(options->replay),
       time_option(clip.state),
       load_state_option(clip.state),
       save_state_option(clip.state),

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/replay_options.h"
 #include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
 #include "app/outputs/outputs.h"
@@ -31,6 +32,7 @@ struct RenderOptions {
   std::optional<glm::dvec3> lod_eye_m;
   bool tier_tint = false;
   int samples = 1;
+  ReplayOptions replay;
   StateOptions state;
 };
 
@@ -41,6 +43,7 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   World world = open_world(options.folder, globals);
   const Camera camera = placed_camera(camera_option(options.camera, world), world, options.size_px);
 
+  replay_as_asked(options.replay, globals, world);
   begin_as_asked(options.state, world);
   save_asked_state(options.state, world);
   world.watch_anew(watched_place_m(camera, world.meadow().ground));
@@ -81,6 +84,9 @@ Command render_command() {
       picture_tier_option(options->tier),
       lod_eye_option(options->lod_eye_m, "the camera's"),
       picture_samples_option(options->samples),
+      replay_option(options->replay),
+      replay_at_option(options->replay),
+      replay_fps_option(options->replay),
       time_option(options->state),
       load_state_option(options->state),
       save_state_option(options->state),

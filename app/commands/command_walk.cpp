@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "agents/gait_of_bvh.h"
-#include "agents/track_files.h"
-#include "agents/utm.h"
 #include "app/commands/clip_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/picture_options.h"
+#include "app/commands/replay_options.h"
 #include "app/commands/scene_options.h"
 #include "app/commands/state_options.h"
 #include "app/commands/window_options.h"
@@ -34,18 +32,11 @@
 namespace prairie {
 namespace {
 
-constexpr double kFarthestM = 1e6;
-
-struct ReplayPlace {
-  glm::dvec2 position_m{0.0};
-  double turn_rad = 0.0;  // counter-clockwise
-};
-
 struct WalkOptions {
   std::filesystem::path folder;
   ClipOptions clip;  // has no output where nothing is to be recorded
-  std::filesystem::path trajectories, replay, gait;
-  std::optional<ReplayPlace> replay_at;
+  std::filesystem::path trajectories, gait;
+  ReplayOptions replay;
   ViewerOptions viewer;
 
   bool records() const { return !clip.format.output.empty(); }
@@ -53,30 +44,6 @@ struct WalkOptions {
     return clip.duration_s || records() || !trajectories.empty() || clip.state.save;
   }
 };
-
-ReplayPlace replay_place_option(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 2 && parts.size() != 3)
-    throw UsageError(option, text, "x,y[,deg]: metres, and degrees clockwise");
-  ReplayPlace place;
-  place.position_m = {number_option(option, parts[0], -kFarthestM, kFarthestM),
-                      number_option(option, parts[1], -kFarthestM, kFarthestM)};
-  if (parts.size() == 3)
-    place.turn_rad = -number_option(option, parts[2], -360.0, 360.0) * std::numbers::pi / 180.0;
-  return place;
-}
-
-/// Tracks lie where their file says; of GPX without a georeferenced ground the first point lies in the
-/// middle.
-void replay(const WalkOptions& options, World& world) {
-  std::optional<UtmFrame> frame;
-  if (world.geo_reference()) frame = utm_frame_of(*world.geo_reference());
-  std::vector<Track> tracks = read_tracks(options.replay, "--replay", frame);
-  ReplayPlace place = options.replay_at.value_or(ReplayPlace{});
-  const bool is_gpx = options.replay.extension() == ".gpx" || options.replay.extension() == ".GPX";
-  if (!options.replay_at && is_gpx && !frame) place.position_m = 0.5 * world.meadow().extent_m;
-  world.replay(placed(std::move(tracks), place.position_m, place.turn_rad));
-}
 
 int frames_of(const WalkOptions& options, const World& world, const std::optional<CameraPath>& path) {
   const double otherwise_s =
@@ -130,7 +97,7 @@ int walk(const WalkOptions& options, const GlobalOptions& globals) {
   std::optional<Gait> gait;
   if (!options.gait.empty()) gait = gait_of(read_bvh(options.gait, "--gait"));
   World world = open_world(options.folder, globals, gait);
-  if (!options.replay.empty()) replay(options, world);
+  replay_as_asked(options.replay, globals, world);
   if (world.walkers().empty())
     throw BadInput((options.folder / kSceneFileName).string(), "walkers", "nobody who walks",
                    "a [[walkers]] group, or --replay");
@@ -157,15 +124,9 @@ Command walk_command() {
        .type = "FILE|FOLDER",
        .help = "Draw a clip without a window: a video that ends in .mp4, or a folder of pictures",
        .target = text_into(clip.format.output)},
-      {.names = "--replay",
-       .type = "FILE",
-       .help = "Walkers go along recorded tracks instead: CSV (time_s,id,x_m,y_m), UCY obsmat.txt or GPX",
-       .target = text_into(options->replay)},
-      {.names = "--replay-at",
-       .type = "x,y[,deg]",
-       .help = "Where the tracks' (0, 0) lies in the scene, and how far they are turned, clockwise",
-       .target = parsed_into(options->replay_at, replay_place_option),
-       .needs = "--replay"},
+      replay_option(options->replay),
+      replay_at_option(options->replay),
+      replay_fps_option(options->replay),
       {.names = "--gait",
        .type = "FILE.bvh",
        .help = "Walk as in this recorded motion",

@@ -55,7 +55,7 @@ double length_m(const std::vector<Track>& tracks) {
 }
 
 TEST_F(RecordedTracks, Zara01IsWalkedAsItWasRecorded) {
-  const std::vector<Track> tracks = read_tracks(zara_, "replay");
+  const std::vector<Track> tracks = read_tracks(zara_, "replay").tracks;
   ASSERT_EQ(tracks.size(), 148u);
   std::map<std::int64_t, TrackPlayback> playbacks;
   for (const Track& track : tracks) playbacks.emplace(track.id, TrackPlayback(track));
@@ -75,7 +75,7 @@ TEST_F(RecordedTracks, Zara01IsWalkedAsItWasRecorded) {
 }
 
 TEST_F(RecordedTracks, Zara01FacesItsWay) {
-  const std::vector<Track> tracks = read_tracks(zara_, "replay");
+  const std::vector<Track> tracks = read_tracks(zara_, "replay").tracks;
   double first_s = 1e9, last_s = 0.0, way_m = 0.0, walked_s = 0.0;
   for (const Track& track : tracks) {
     check_playback(track, 1.0 / 60.0);
@@ -91,7 +91,7 @@ TEST_F(RecordedTracks, Zara01FacesItsWay) {
 
 TEST_F(RecordedTracks, Zara01InCentimetresIsRefused) {
   std::string text = "time_s,id,x_m,y_m\n";
-  for (const Track& track : read_tracks(zara_, "replay")) {
+  for (const Track& track : read_tracks(zara_, "replay").tracks) {
     for (std::size_t n = 0; n < track.times_s.size(); ++n) {
       const glm::dvec2 at_cm = 100.0 * track.positions_m[n];
       text += std::to_string(track.times_s[n]) + "," + std::to_string(track.id) + "," +
@@ -99,7 +99,7 @@ TEST_F(RecordedTracks, Zara01InCentimetresIsRefused) {
     }
   }
   try {
-    parse_tracks(text, "zara_cm.csv");
+    parse_tracks(text, "zara_cm.csv").tracks;
     ADD_FAILURE();
   } catch (const BadInput& fault) {
     EXPECT_NE(fault.expected.find("centimetres"), std::string::npos) << fault.what();
@@ -118,7 +118,7 @@ TEST_F(RecordedTracks, GpxIsReadAndWalked) {
                             {"around-visnjan-with-car.gpx", 104, 2.73, {399100.0, 5014100.0}}};
   for (const Expected& expected : files) {
     SCOPED_TRACE(expected.file);
-    const std::vector<Track> tracks = read_tracks(gpx_ / expected.file, "replay");
+    const std::vector<Track> tracks = read_tracks(gpx_ / expected.file, "replay").tracks;
     std::size_t points = 0;
     for (const Track& track : tracks) {
       points += track.times_s.size();
@@ -131,7 +131,7 @@ TEST_F(RecordedTracks, GpxIsReadAndWalked) {
     EXPECT_EQ(tracks.front().positions_m.front(), glm::dvec2(0.0));
     // The scene's origin only moves them.
     const UtmFrame scene{{33, true}, {400000.0, 5020000.0}};
-    const std::vector<Track> there = read_tracks(gpx_ / expected.file, "replay", scene);
+    const std::vector<Track> there = read_tracks(gpx_ / expected.file, "replay", {.scene = scene}).tracks;
     ASSERT_EQ(there.size(), tracks.size());
     const glm::dvec2 by_m = there.front().positions_m.front();
     for (std::size_t n = 0; n < tracks.size(); ++n) {

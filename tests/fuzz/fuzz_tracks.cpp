@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace prairie;
   try {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    const std::vector<Track> tracks = parse_tracks(text, "tracks");
+    const std::vector<Track> tracks = parse_tracks(text, "tracks").tracks;
     require(!tracks.empty());
     for (const Track& track : tracks) {
       require(!track.times_s.empty() && track.times_s.size() == track.positions_m.size());

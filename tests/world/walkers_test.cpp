@@ -258,7 +258,7 @@ TEST(ReplayedTracks, TreadVisiblePathsAndKeepToTheData) {
   if (folder == nullptr) GTEST_SKIP() << "PRAIRIE_DATA is not set to the folder of recorded tracks";
   const std::filesystem::path file = std::filesystem::path(folder) / "peds_ucy_zara/zara01/obsmat.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "PRAIRIE_DATA holds no peds_ucy_zara";
-  const std::vector<Track> tracks = placed(read_tracks(file, "tracks"), {30.0, 15.0}, 0.0);
+  const std::vector<Track> tracks = placed(read_tracks(file, "tracks").tracks, {30.0, 15.0}, 0.0);
   World world = world_of("[treading]\nrecovery_s = 600\n");
   world.replay(tracks);
   double worst_m = 0.0, worst_cosine = 1.0;

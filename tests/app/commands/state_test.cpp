@@ -168,5 +168,32 @@ TEST_F(States, PlacesThatTakeNoState) {
   expect_refused(export_tile("tiles", {"--save-state", scene_}), 1, {"a folder"});
 }
 
+TEST_F(States, OfAReplayAreDrawnWithTheSameTracks) {
+  testing::write_text(folder_ / "tracks.csv",
+                      "time_s,id,x_m,y_m\n0,1,4,4\n1,1,5.3,4\n2,1,6.6,4\n3,1,7.9,4\n");
+  const std::vector<std::string> tracks{"--replay", path("tracks.csv")};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), tracks.begin(), tracks.end());
+    return more;
+  };
+  ASSERT_EQ(run({"walk", scene_}, with({"--duration", "2", "--save-state", path("s.state")})).exit_code, 0);
+  const Outcome drawn = render("a.png", with({"--load-state", path("s.state")}));
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_EQ(export_tile("tiles", with({"--load-state", path("s.state")})).exit_code, 0);
+  EXPECT_EQ(run({"record", scene_, "-o", path("clip"), "--duration", "0.1", "--size", "64x64"},
+                with({"--load-state", path("s.state")}))
+                .exit_code,
+            0);
+  expect_refused(render("b.png", {"--load-state", path("s.state")}), 3, {"s.state"});
+}
+
+TEST_F(States, TracksBesideTheGroundAreWarnedOf) {
+  testing::write_text(folder_ / "away.csv", "time_s,id,x_m,y_m\n0,1,5000,5000\n1,1,5001.3,5000\n");
+  const Outcome outcome = run({"walk", scene_, "--replay", path("away.csv"), "--duration", "1"}, {});
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* part : {"away.csv", "onto the ground", "--replay-at"})
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace prairie

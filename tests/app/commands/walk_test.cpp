@@ -63,11 +63,11 @@ TEST_F(Walk, WritesTrajectoriesThatItReadsAgain) {
   EXPECT_EQ(table.substr(0, table.find('\n')),
             "time_s,id,x_m,y_m,z_m,heading_rad,speed_m_per_s,d_m,theta_rad,left_planted,right_planted");
   EXPECT_EQ(std::ranges::count(table, '\n'), 1 + 6 * 60);
-  const std::vector<Track> tracks = parse_tracks(table, "walk.csv");
+  const std::vector<Track> tracks = parse_tracks(table, "walk.csv").tracks;
   ASSERT_EQ(tracks.size(), 6u);
   const Outcome again = walk({"--replay", path("walk.csv"), "--trajectories", path("again.csv")});
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  const std::vector<Track> replayed = parse_tracks(text("again.csv"), "again.csv");
+  const std::vector<Track> replayed = parse_tracks(text("again.csv"), "again.csv").tracks;
   ASSERT_EQ(replayed.size(), 6u);
   for (std::size_t n = 0; n < 6; ++n) {
     ASSERT_GE(replayed[n].positions_m.size(), 50u);

@@ -21,7 +21,7 @@ TEST(TrajectoryTable, HasALineForEachWalkerAsManyCellsAsItsHeader) {
   world.step(0.5);
   rows += trajectory_rows(world);
 
-  const std::vector<Track> tracks = parse_tracks(header + rows, "table");
+  const std::vector<Track> tracks = parse_tracks(header + rows, "table").tracks;
   ASSERT_EQ(tracks.size(), 2u);
   EXPECT_EQ(tracks[0].times_s.size(), 2u);
 }
