@@ -3,211 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <initializer_list>
 #include <numeric>
 
+#include "agents/body_joints.h"
+#include "agents/measured_walk.h"
 #include "agents/skeleton.h"
 #include "agents/sole.h"
-#include "files/error.h"
 
 namespace prairie {
 namespace {
 
-/// Of one side. Below, the names that files give them, the likeliest first, beside "left", "right" or their
-/// first letters.
-enum Part { kHip, kKnee, kAnkle, kToes, kShoulder, kElbow, kWrist, kPartCount };
-constexpr std::array<std::string_view, 5> kHipNames = {"upleg", "thigh", "upperleg", "femur", "hip"};
-constexpr std::array<std::string_view, 6> kKneeNames = {"leg", "lowleg", "shin", "calf", "lowerleg", "knee"};
-constexpr std::array<std::string_view, 2> kAnkleNames = {"foot", "ankle"};
-constexpr std::array<std::string_view, 4> kToesNames = {"toebase", "toes", "toe", "ball"};
-constexpr std::array<std::string_view, 5> kShoulderNames = {"arm", "upperarm", "uparm", "shldr", "shoulder"};
-constexpr std::array<std::string_view, 4> kElbowNames = {"forearm", "lowerarm", "lowarm", "elbow"};
-constexpr std::array<std::string_view, 2> kWristNames = {"hand", "wrist"};
-constexpr std::array<std::span<const std::string_view>, kPartCount> kPartNames = {
-    kHipNames, kKneeNames, kAnkleNames, kToesNames, kShoulderNames, kElbowNames, kWristNames};
-constexpr std::array<std::string_view, kPartCount> kPartShown = {"hip",      "knee",  "ankle", "toes",
-                                                                 "shoulder", "elbow", "wrist"};
-
-/// Without case, blanks and punctuation, and without what stands before a colon.
-std::string plain_name(std::string_view name) {
-  const std::size_t colon = name.rfind(':');
-  if (colon != std::string_view::npos) name.remove_prefix(colon + 1);
-  std::string plain;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte)) plain.push_back(static_cast<char>(std::tolower(byte)));
-  }
-  return plain;
-}
-
-/// The joints of a file that a gait is made from.
-struct Joints {
-  std::array<std::array<std::size_t, kPartCount>, 2> of_side{};
-  std::size_t neck = 0;
-};
-
-class JointFinder {
- public:
-  explicit JointFinder(const BvhMotion& motion) : motion_(motion) {
-    for (const BvhJoint& joint : motion.joints) names_.push_back(plain_name(joint.name));
-  }
-
-  Joints find() {
-    Joints joints;
-    for (const bool right : {false, true}) {
-      for (int part = 0; part < kPartCount; ++part) {
-        auto found = find_part(part, right);
-        // Short skeletons end in the foot, and its end site is the toes.
-        if (!found && part == kToes && find_part(kAnkle, right))
-          found = end_site_of(*find_part(kAnkle, right));
-        if (found)
-          joints.of_side[right ? 1 : 0][static_cast<std::size_t>(part)] = *found;
-        else
-          missing_.push_back(
-              fmt::format("{} {}", right ? "right" : "left", kPartShown[static_cast<std::size_t>(part)]));
-      }
-    }
-    const auto neck = find_any({"neck", "neck1", "head"});
-    if (neck)
-      joints.neck = *neck;
-    else
-      missing_.push_back("neck");
-    if (!missing_.empty()) {
-      throw BadInput(
-          motion_.file, "joints", fmt::format("no {}", fmt::join(missing_, ", no ")),
-          "hips, knees, ankles, toes, shoulders, elbows, wrists and a neck under their usual names");
-    }
-    return joints;
-  }
-
- private:
-  std::optional<std::size_t> find_any(std::initializer_list<std::string> wanted) const {
-    for (const std::string& name : wanted) {
-      const auto found = std::find(names_.begin(), names_.end(), name);
-      if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
-    }
-    return std::nullopt;
-  }
-  std::optional<std::size_t> find_part(int part, bool right) const {
-    const std::string word = right ? "right" : "left", letter = right ? "r" : "l";
-    for (const std::string_view part_name : kPartNames[static_cast<std::size_t>(part)]) {
-      const std::string name(part_name);
-      if (const auto found = find_any({word + name, letter + name, name + letter, name + word})) return found;
-    }
-    return std::nullopt;
-  }
-  std::optional<std::size_t> end_site_of(std::size_t parent) const {
-    for (std::size_t n = parent; n < motion_.joints.size(); ++n) {
-      if (motion_.joints[n].parent == static_cast<int>(parent) && motion_.joints[n].name.empty()) return n;
-    }
-    return std::nullopt;
-  }
-
-  const BvhMotion& motion_;
-  std::vector<std::string> names_;
-  std::vector<std::string> missing_;
-};
-
 using Curve = std::vector<double>;
-
-/// A frame, in metres: X along the way, Y to its left, Z up.
-struct WalkFrame {
-  std::array<std::array<glm::dvec3, kPartCount>, 2> places_m;
-  glm::dvec3 neck_m;
-  glm::dvec3 hips_m() const { return 0.5 * (places_m[0][kHip] + places_m[1][kHip]); }
-};
-
-/// All a gait is measured from.
-struct Walk {
-  std::string file;
-  double frame_s = 0.0;
-  double leg_m = 0.0;
-  double ankle_m = 0.0;              // height of an ankle whose foot stands flat
-  std::array<double, 2> flat_rad{};  // pitch of ankle to toes there
-  std::vector<WalkFrame> frames;
-};
-
-[[noreturn]] void refuse(const BvhMotion& motion, const std::string& found) {
-  throw BadInput(motion.file, "motion", found,
-                 "a recorded walk, nearly straight, of at least one whole stride");
-}
-
-double quantile(Curve values, double share) {
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-double pitch_of(glm::dvec3 bone) {
-  return std::atan2(bone.z, std::hypot(bone.x, bone.y));
-}
-
-/// The file's frames, Y up, turned so that the walk goes along X.
-Walk measured_walk(const BvhMotion& motion, const Joints& joints, std::optional<double> unit_m) {
-  Walk walk;
-  walk.file = motion.file;
-  walk.frame_s = motion.frame_s;
-  const std::size_t count = motion.frame_count();
-  std::vector<glm::dvec3> places(motion.joints.size());
-  const auto show = [&](std::size_t frame) {
-    place_joints(motion, frame, places);
-    for (glm::dvec3& place : places) place = glm::dvec3(place.z, place.x, place.y);
-  };
-  const auto at = [&](std::size_t side, int part) {
-    return places[joints.of_side[side][static_cast<std::size_t>(part)]];
-  };
-  const auto hips = [&] { return glm::dvec2(0.5 * (at(0, kHip) + at(1, kHip))); };
-  show(count - 1);
-  const glm::dvec2 last_hips = hips();
-  show(0);
-  double leg = 0.0;
-  for (std::size_t side : {0, 1}) {
-    leg += 0.5 * glm::length(at(side, kKnee) - at(side, kHip));
-    leg += 0.5 * glm::length(at(side, kAnkle) - at(side, kKnee));
-  }
-  if (!(leg > 0.0)) refuse(motion, "legs without length");
-  const double unit = unit_m.value_or(kLegM / leg);
-  walk.leg_m = unit * leg;
-
-  const glm::dvec2 way = last_hips - hips();
-  if (!(unit * glm::length(way) > walk.leg_m)) refuse(motion, "hips that hardly leave their place");
-  const glm::dvec2 ahead = glm::normalize(way), left(-ahead.y, ahead.x);
-  const auto turned = [&](glm::dvec3 p) {
-    const glm::dvec2 flat(p);
-    return unit * glm::dvec3(glm::dot(flat, ahead), glm::dot(flat, left), p.z);
-  };
-  walk.frames.resize(count);
-  Curve ankle_heights_m;
-  for (std::size_t n = 0; n < count; ++n) {
-    show(n);
-    WalkFrame& frame = walk.frames[n];
-    for (std::size_t side : {0, 1}) {
-      for (int part = 0; part < kPartCount; ++part)
-        frame.places_m[side][static_cast<std::size_t>(part)] = turned(at(side, part));
-      ankle_heights_m.push_back(frame.places_m[side][kAnkle].z);
-    }
-    frame.neck_m = turned(places[joints.neck]);
-    if (!(frame.neck_m.z > frame.hips_m().z && frame.hips_m().z > frame.places_m[0][kAnkle].z))
-      refuse(motion, fmt::format("a figure that does not stand along Y in frame {}", n));
-  }
-  walk.ankle_m = quantile(ankle_heights_m, 0.1);
-  for (std::size_t side : {0, 1}) {
-    // Flat is what the foot is for most of the time that its ankle is low.
-    Curve pitches;
-    for (const WalkFrame& frame : walk.frames) {
-      if (frame.places_m[side][kAnkle].z < walk.ankle_m + 0.02 * walk.leg_m)
-        pitches.push_back(pitch_of(frame.places_m[side][kToes] - frame.places_m[side][kAnkle]));
-    }
-    if (pitches.empty()) refuse(motion, "a foot that never stands");
-    walk.flat_rad[side] = quantile(pitches, 0.5);
-  }
-  return walk;
-}
 
 /// Where a curve is highest in reach of ±reach frames, between frames by the parabola through three; not at
 /// the ends, where it may still be rising.
@@ -334,8 +142,8 @@ void make_symmetric(Gait& gait) {
 }  // namespace
 
 Gait gait_of(const BvhMotion& motion, std::optional<double> unit_m) {
-  const Joints joints = JointFinder(motion).find();
-  if (motion.frame_count() < 8) refuse(motion, fmt::format("{} frames", motion.frame_count()));
+  const BodyJoints joints = find_body_joints(motion);
+  if (motion.frame_count() < 8) refuse_motion(motion, fmt::format("{} frames", motion.frame_count()));
   const Walk walk = measured_walk(motion, joints, unit_m);
 
   Gait gait;
@@ -374,7 +182,7 @@ Gait gait_of(const BvhMotion& motion, std::optional<double> unit_m) {
     }
   }
   if (cycles == 0.0 || stances == 0.0)
-    refuse(motion, "no foot that strikes twice and leaves the ground between");
+    refuse_motion(motion, "no foot that strikes twice and leaves the ground between");
   gait.period_s /= cycles;
   gait.speed_m_per_s /= cycles;
   gait.stance /= stances;
@@ -386,9 +194,10 @@ Gait gait_of(const BvhMotion& motion, std::optional<double> unit_m) {
   make_symmetric(gait);
 
   if (!(gait.period_s > 0.4 && gait.period_s < 4.0 && gait.speed_m_per_s > 0.2 && gait.speed_m_per_s < 4.0))
-    refuse(motion, fmt::format("{:.2f} m/s in strides of {:.2f} s", gait.speed_m_per_s, gait.period_s));
+    refuse_motion(motion,
+                  fmt::format("{:.2f} m/s in strides of {:.2f} s", gait.speed_m_per_s, gait.period_s));
   if (!(gait.stance > 0.45 && gait.stance < 0.75 && gait.lead > 0.2 && gait.lead < 0.7))
-    refuse(motion, fmt::format("feet that stand {:.2f} of a stride", gait.stance));
+    refuse_motion(motion, fmt::format("feet that stand {:.2f} of a stride", gait.stance));
   return gait;
 }
 

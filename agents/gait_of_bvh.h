@@ -15,10 +15,9 @@
 namespace prairie {
 
 /// `unit_m`: metres of one unit of the file's lengths; nothing: such that its leg, hip to ankle, is as long
-/// as the figure's (agents/skeleton.h). Y is up, as BVH has it. Joints are known by the names of CMU's
-/// conversions, MotionBuilder, Mixamo and the like, in any case and with any prefix before a colon. Throws
-/// BadInput that names the joints that are missing, or where the motion is no walk of at least one whole
-/// stride on a way that is nearly straight.
+/// as the figure's (agents/skeleton.h). Any axis may be up, the way straight, curved or on the spot
+/// (agents/measured_walk.h), joints have one of many names (agents/body_joints.h). Throws BadInput that names
+/// the joints that are missing, or where the motion is no walk of at least one whole stride.
 Gait gait_of(const BvhMotion& motion, std::optional<double> unit_m = std::nullopt);
 
 }  // namespace prairie
