@@ -1,8 +1,15 @@
 #include "lod/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace prairie {
+
+double near_plane_m(double eye_above_ground_m) {
+  constexpr double kLeastM = 0.002, kMostM = 0.05;
+  constexpr double kShareOfHeight = 0.25;  // the corners of a wide picture's plane are twice as far
+  return std::clamp(kShareOfHeight * eye_above_ground_m, kLeastM, kMostM);
+}
 
 glm::dvec3 Camera::forward() const {
   return {std::sin(yaw_rad) * std::cos(pitch_rad), std::cos(yaw_rad) * std::cos(pitch_rad),

@@ -8,6 +8,11 @@
 
 namespace prairie {
 
+/// How near the near plane is, for an eye so high above the ground: it must not cut the ground open before an
+/// eye among the roots, nor need blades be drawn that hang before a standing person's eye. Depth is reversed
+/// and of 32 bits, which lose nothing by it.
+double near_plane_m(double eye_above_ground_m);
+
 struct Camera {
   glm::dvec3 eye_m{0.0};
   double yaw_rad = 0.0;                 // 0 looks north (+y), clockwise

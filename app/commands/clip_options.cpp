@@ -33,11 +33,11 @@ CommandOption clip_duration_option(ClipOptions& options, const std::string& help
           .target = number_into(options.duration_s, 0.0, kLongestS)};
 }
 
-CommandOption frame_rate_option(ClipOptions& options, const std::string& help) {
+CommandOption clip_rate_option(ClipOptions& options, const std::string& help) {
   return {.names = "--fps",
           .type = "N",
           .help = help,
-          .target = whole_number_into(options.format.frames_per_s, 1, kMostFramesPerS)};
+          .target = parsed_into(options.format.frame_rate, prairie::frame_rate_option)};
 }
 
 std::optional<CameraPath> asked_camera_path(const ClipOptions& options) {
@@ -53,7 +53,7 @@ double asked_duration_s(const ClipOptions& options, const std::optional<CameraPa
 
 ClipView asked_view(const ClipOptions& options, const std::optional<CameraPath>& path, const World& world) {
   const CameraSpec standing = path ? CameraSpec{} : camera_option(options.camera_or_default(), world);
-  return {path, standing, options.tier, options.samples};
+  return {path, standing, options.tier, options.samples, options.parallel_height_m};
 }
 
 }  // namespace prairie

@@ -25,6 +25,7 @@ struct ClipOptions {
   std::optional<double> duration_s;
   Tier tier = Tier::kAuto;
   int samples = 1;
+  std::optional<double> parallel_height_m;
   StateOptions state;
 
   std::string camera_or_default() const;
@@ -37,7 +38,7 @@ CommandOption clip_path_option(ClipOptions& options, const std::string& help, co
 /// `--duration`
 CommandOption clip_duration_option(ClipOptions& options, const std::string& help);
 /// `--fps`
-CommandOption frame_rate_option(ClipOptions& options, const std::string& help);
+CommandOption clip_rate_option(ClipOptions& options, const std::string& help);
 
 /// The path that is asked for, if one is. Throws BadInput.
 std::optional<CameraPath> asked_camera_path(const ClipOptions& options);

@@ -31,8 +31,8 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
   const ClipFormat& format = options.clip.format;
   check_picture_budget(format.size_px, globals.max_memory_bytes);
   const std::optional<CameraPath> path = asked_camera_path(options.clip);
-  const int frames = frame_count(asked_duration_s(options.clip, path, kUsualDurationS), format.frames_per_s,
-                                 kMostClipFrames);
+  const int frames =
+      frame_count(asked_duration_s(options.clip, path, kUsualDurationS), format.frame_rate, kMostClipFrames);
   Clip clip(format, globals.threads);
   World world = open_world(options.folder, globals);
   const ClipView view = asked_view(options.clip, path, world);
@@ -41,12 +41,12 @@ int record(const RecordOptions& options, const GlobalOptions& globals) {
   Recording recording(clip, view, globals, world);
   {
     Progress progress("frame", static_cast<std::uint64_t>(frames), globals.quiet);
-    run_frames(world, frames, format.frames_per_s, {.recording = &recording}, progress);
+    run_frames(world, frames, format.frame_rate, {.recording = &recording}, progress);
   }
   clip.finish();
   save_asked_state(options.clip.state, world);
   say_done(fmt::format("{}: {} frames of {} × {} pixels, {} a second", format.output.string(), frames,
-                       format.size_px.x, format.size_px.y, format.frames_per_s),
+                       format.size_px.x, format.size_px.y, format.frame_rate.text()),
            globals.quiet);
   return kExitFine;
 }
@@ -70,7 +70,7 @@ Command record_command() {
                        "Where it goes: lines of time_s,x_m,y_m,z_m,yaw_deg,pitch_deg[,fov_deg] after a line "
                        "of these names; z as +1.7 is above the ground"),
       clip_duration_option(clip, "Seconds (the path's, or 10)"),
-      frame_rate_option(clip, "Frames a second (30)"),
+      clip_rate_option(clip, "Frames a second (30)"),
       replay_option(options->replay),
       replay_at_option(options->replay),
       replay_fps_option(options->replay),
@@ -78,6 +78,7 @@ Command record_command() {
       load_state_option(clip.state),
       save_state_option(clip.state),
       picture_size_option(clip.format.size_px),
+      parallel_option(clip.parallel_height_m),
       picture_tier_option(clip.tier),
       picture_samples_option(clip.samples),
   };

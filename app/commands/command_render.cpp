@@ -28,6 +28,7 @@ struct RenderOptions {
   std::filesystem::path output;
   std::string camera = kDefaultCamera;
   glm::ivec2 size_px{1280, 720};
+  std::optional<double> parallel_height_m;
   Tier tier = Tier::kAuto;
   std::optional<glm::dvec3> lod_eye_m;
   bool tier_tint = false;
@@ -41,7 +42,8 @@ int render_picture(const RenderOptions& options, const GlobalOptions& globals) {
   check_picture_budget(options.size_px, globals.max_memory_bytes);
   check_output_file(options.output);
   World world = open_world(options.folder, globals);
-  const Camera camera = placed_camera(camera_option(options.camera, world), world, options.size_px);
+  Camera camera = placed_camera(camera_option(options.camera, world), world, options.size_px);
+  camera.orthographic_height_m = options.parallel_height_m.value_or(0.0);
 
   replay_as_asked(options.replay, globals, world);
   begin_as_asked(options.state, world);
@@ -81,6 +83,7 @@ Command render_command() {
            "ground, yaw 0 looks north and turns clockwise, fov is vertical (default)",
        .target = text_into(options->camera)},
       picture_size_option(options->size_px),
+      parallel_option(options->parallel_height_m),
       picture_tier_option(options->tier),
       lod_eye_option(options->lod_eye_m, "the camera's"),
       picture_samples_option(options->samples),

@@ -48,7 +48,7 @@ struct WalkOptions {
 int frames_of(const WalkOptions& options, const World& world, const std::optional<CameraPath>& path) {
   const double otherwise_s =
       world.replayed() ? std::max(world.replayed()->last_s() - world.time_s(), 0.0) : kUsualDurationS;
-  return frame_count(asked_duration_s(options.clip, path, otherwise_s), options.clip.format.frames_per_s,
+  return frame_count(asked_duration_s(options.clip, path, otherwise_s), options.clip.format.frame_rate,
                      options.records() ? kMostClipFrames : kMostUndrawnFrames);
 }
 
@@ -68,7 +68,7 @@ int walk_headless(const WalkOptions& options, const GlobalOptions& globals, Worl
   if (!options.trajectories.empty()) table.emplace(options.trajectories);
   {
     Progress progress("step", static_cast<std::uint64_t>(frames), globals.quiet);
-    run_frames(world, frames, format.frames_per_s,
+    run_frames(world, frames, format.frame_rate,
                {.recording = recording ? &*recording : nullptr, .trajectories = table ? &*table : nullptr},
                progress);
   }
@@ -133,11 +133,12 @@ Command walk_command() {
        .target = text_into(options->gait)},
       clip_camera_option(clip),
       clip_path_option(clip, "Where the clip's camera goes, as for record", "--record"),
-      frame_rate_option(clip, "Frames, and lines of each walker, a second (30)"),
+      clip_rate_option(clip, "Frames, and lines of each walker, a second (30)"),
       time_option(clip.state),
       load_state_option(clip.state),
       save_state_option(clip.state),
       picture_size_option(clip.format.size_px),
+      parallel_option(clip.parallel_height_m),
       picture_tier_option(clip.tier),
       picture_samples_option(clip.samples),
       {.names = "--msaa",

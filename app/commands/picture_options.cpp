@@ -18,6 +18,14 @@ CommandOption picture_samples_option(int& samples) {
           .target = whole_number_into(samples, 1, kMaxSamples)};
 }
 
+CommandOption parallel_option(std::optional<double>& height_m) {
+  constexpr double kLeastM = 0.01, kMostM = 1e5;
+  return {.names = "--parallel",
+          .type = "METRES",
+          .help = "Draw in parallel projection: so many metres from the lower to the upper edge",
+          .target = number_into(height_m, kLeastM, kMostM)};
+}
+
 CommandOption picture_tier_option(Tier& tier) {
   return {.names = "--tier",
           .type = "TIER",

@@ -15,6 +15,8 @@ namespace prairie {
 CommandOption picture_size_option(glm::ivec2& size_px);
 /// `--samples`
 CommandOption picture_samples_option(int& samples);
+/// `--parallel`: a parallel projection of that height, metres; else perspective.
+CommandOption parallel_option(std::optional<double>& height_m);
 /// `--tier`
 CommandOption picture_tier_option(Tier& tier);
 /// `--lod-eye`; `default_eye` says whose eye it is otherwise.

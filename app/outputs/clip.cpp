@@ -43,7 +43,7 @@ std::filesystem::path frame_file(const std::filesystem::path& folder, int frame)
 
 Clip::Clip(const ClipFormat& format, const std::optional<int>& threads) : format_(format) {
   if (is_video(format))
-    video_.emplace(format.output, VideoFormat{format.size_px, format.frames_per_s, threads});
+    video_.emplace(format.output, VideoFormat{format.size_px, format.frame_rate, threads});
 }
 
 void Clip::begin() {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/outputs/video_file.h"
+#include "app/terminal/frame_rate.h"
 #include "pictures/picture.h"
 
 namespace prairie {
@@ -13,7 +14,7 @@ namespace prairie {
 struct ClipFormat {
   std::filesystem::path output;  // a video where it ends in .mp4, else a folder
   glm::ivec2 size_px{1280, 720};
-  int frames_per_s = 30;
+  FrameRate frame_rate;
 };
 
 class Clip {

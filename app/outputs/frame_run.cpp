@@ -12,18 +12,18 @@
 
 namespace prairie {
 
-int frame_count(double duration_s, int frames_per_s, int most) {
-  const double frames = std::max(std::round(duration_s * frames_per_s), 1.0);
+int frame_count(double duration_s, FrameRate rate, int most) {
+  const double frames = std::max(std::round(duration_s * rate.per_s()), 1.0);
   if (frames <= most) return static_cast<int>(frames);
   throw UsageError("--duration", fmt::format("{} frames", frames), fmt::format("at most {}", most));
 }
 
-void run_frames(World& world, int frames, int frames_per_s, const FrameOutputs& outputs, Progress& progress) {
+void run_frames(World& world, int frames, FrameRate rate, const FrameOutputs& outputs, Progress& progress) {
   const double start_s = world.time_s();
   // To a frame's time, seen and told as in it; past the last one neither.
   const auto go_on_to = [&](int frame) {
     if (frame < frames && outputs.recording) look_through(outputs.recording->camera(frame), world);
-    advance_to(world, start_s + static_cast<double>(frame) / frames_per_s);
+    advance_to(world, start_s + rate.time_s(frame));
     if (frame < frames && outputs.trajectories) outputs.trajectories->write(trajectory_rows(world));
   };
   if (outputs.trajectories) outputs.trajectories->write(trajectory_header());

@@ -13,9 +13,11 @@ Recording::Recording(Clip& clip, const ClipView& view, const GlobalOptions& glob
 }
 
 Camera Recording::camera(int frame) const {
-  const double in_clip_s = static_cast<double>(frame) / clip_.format().frames_per_s;
-  return placed_camera(view_.path ? camera_at(*view_.path, in_clip_s) : view_.standing, world_,
-                       clip_.format().size_px);
+  const double in_clip_s = clip_.format().frame_rate.time_s(frame);
+  Camera camera = placed_camera(view_.path ? camera_at(*view_.path, in_clip_s) : view_.standing, world_,
+                                clip_.format().size_px);
+  camera.orthographic_height_m = view_.parallel_height_m.value_or(0.0);
+  return camera;
 }
 
 void Recording::add(int frame, const Renderer::Meanwhile& meanwhile) {

@@ -21,6 +21,7 @@ struct ClipView {
   CameraSpec standing;             // where it stands if there is none
   Tier tier = Tier::kAuto;
   int samples = 1;
+  std::optional<double> parallel_height_m;  // of a parallel projection
 };
 
 class Recording {

@@ -27,7 +27,7 @@ std::vector<std::string> ffmpeg_command(const std::filesystem::path& output, con
   const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
   add({"-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
        fmt::format("{}x{}", format.size_px.x, format.size_px.y)});
-  add({"-framerate", std::to_string(format.frames_per_s), "-i", "pipe:0"});
+  add({"-framerate", format.frame_rate.text(), "-i", "pipe:0"});
   // Colours as HD video has them, and said so: players guess otherwise, each in its own way.
   add({"-vf", "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int"});
   add({"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range",

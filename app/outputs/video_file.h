@@ -9,6 +9,7 @@
 #include <span>
 
 #include "app/outputs/streamed_output.h"
+#include "app/terminal/frame_rate.h"
 #include "app/terminal/interruption.h"
 #include "files/file_descriptor.h"
 
@@ -16,7 +17,7 @@ namespace prairie {
 
 struct VideoFormat {
   glm::ivec2 size_px{1280, 720};  // even: H.264 keeps colours for 2 × 2 pixels
-  int frames_per_s = 30;
+  FrameRate frame_rate;
   std::optional<int> threads;  // all cores, if not given
 };
 

@@ -1,6 +1,7 @@
 #include "render/frame/frame_blocks.h"
 
 #include <glm/common.hpp>
+#include <limits>
 
 #include "render/gl/uniform_block.h"
 #include "render/grass/ground_mesh.h"
@@ -35,6 +36,9 @@ FieldParams field_params(const Meadow& meadow, const FieldLook& look, glm::dvec2
   field.blade_width_m = static_cast<float>(look.blade_width_m);
   field.tile_m = static_cast<float>(meadow.tile_m);
   field.flat_period_m = glm::vec2(flat_period_m);
+  constexpr float kEndless = std::numeric_limits<float>::max();
+  field.planted_m = meadow.repeats ? glm::vec4(-kEndless, -kEndless, kEndless, kEndless)
+                                   : glm::vec4(0.0f, 0.0f, glm::vec2(meadow.extent_m));
   return field;
 }
 

@@ -62,9 +62,12 @@ struct Renderer::Parts {
                  FrameStatistics& statistics) const {
     const auto start = std::chrono::steady_clock::now();
     const LodSpec& lod = world->scene().lod;
+    Camera seen = camera;
+    seen.near_m =
+        near_plane_m(camera.eye_m.z - static_cast<double>(world->meadow().ground.height_m(camera.eye_m)));
     FramePlan plan =
-        view.planner.plan(camera, {options.tier, options.quality.value_or(lod.quality), lod.blade_distance_m,
-                                   options.memory_budget_bytes, options.lod_eye_m});
+        view.planner.plan(seen, {options.tier, options.quality.value_or(lod.quality), lod.blade_distance_m,
+                                 options.memory_budget_bytes, options.lod_eye_m});
     statistics.plan_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     add_blades(plan, statistics);

@@ -87,6 +87,11 @@ float cover_left(float optical_depth, vec4 standing, vec2 level_to_eye) {
   return clamp(1.0 - exp(-optical_depth) / max(bare, 1.0e-6), 0.0, 1.0);
 }
 
+// Beyond the field there is nothing but its look.
+bool is_planted(vec2 place_m) {
+  return all(greaterThanEqual(place_m, field.planted_m.xy)) && all(lessThanEqual(place_m, field.planted_m.zw));
+}
+
 void main() {
   vec2 place_m = ground_place_m(from_eye_m);
   vec4 grass = flat_map_over_footprint(flat_map_place(from_eye_m));
@@ -111,7 +116,8 @@ void main() {
       mix(soil, litter_radiance(grass.rgb) * (0.55 + 0.9 * grain), smooth_ramp(1.6 * grass.a));
 
   vec3 to_eye = view.parallel > 0.5 ? view.towards_eye : -from_eye_m;
-  float cover = cover_left(optical_depth, standing_above(above),
+  vec4 standing = is_planted(place_m) ? standing_above(above) : vec4(0.0);
+  float cover = cover_left(optical_depth, standing,
                            to_eye.xy * inversesqrt(max(dot(to_eye.xy, to_eye.xy), 1.0e-12)));
   Haze haze;
   haze.color = haze_color_and_share.rgb;

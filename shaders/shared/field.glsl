@@ -12,4 +12,5 @@ struct FieldParams {
   float sway_time;     // share of kSwayPeriodS that has passed
   vec2 flat_period_m;  // size of the flat tier's texture in the scene
   vec2 window_m;       // the middle of the moving fields' windows in the period of the coarsest
+  vec4 planted_m;      // the west, south, east and north ends of what is planted
 };

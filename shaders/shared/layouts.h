@@ -75,7 +75,7 @@ static_assert(sizeof(ViewParams) == 208);
 static_assert(offsetof(ViewParams, lod) == 144);
 static_assert(sizeof(LightParams) == 96);
 static_assert(offsetof(LightParams, zenith_radiance) == 64);
-static_assert(sizeof(FieldParams) == 64);
+static_assert(sizeof(FieldParams) == 80);
 static_assert(offsetof(FieldParams, flat_period_m) == 48);
 static_assert(sizeof(HeatSquare) == 48);
 static_assert(offsetof(HeatSquare, heat) == 32);
