@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shaders/kernels/kernels.h"
 
@@ -16,8 +17,9 @@ constexpr int kMostSamples = 8;  // along a texel's side, where maps are finer t
 // Where along a blade its mean visible colour is found: the upper part hides the lower.
 constexpr float kVisibleTip = 0.62f;
 
+/// Of all maps; infinite where none has nodes.
 double finest_spacing_m(const Meadow& meadow) {
-  double finest_m = kCoarsestTexelM;
+  double finest_m = std::numeric_limits<double>::infinity();
   const auto consider = [&](const NodeGrid& map) {
     if (!map.is_uniform()) finest_m = std::min(finest_m, map.frame().spacing_m);
   };
@@ -104,7 +106,7 @@ FlatMap make_flat_map(const Meadow& meadow, std::span<const double> blade_area_f
   FlatMap map;
   const double finest_m = finest_spacing_m(meadow);
   const double longest_m = std::max(meadow.extent_m.x, meadow.extent_m.y);
-  const double wanted_m = std::max(finest_m, longest_m / (kMostTexels - 1));
+  const double wanted_m = std::max(std::min(finest_m, kCoarsestTexelM), longest_m / (kMostTexels - 1));
   // A repeating map's last texel meets its first one; otherwise texels lie on both borders.
   const int extra = meadow.repeats ? 0 : 1;
   const auto texels = [&](double extent_m) {

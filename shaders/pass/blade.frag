@@ -1,7 +1,7 @@
 #version 450 core
 // Taken inside the blade: blades are narrower than pixels, and with several samples a pixel its middle would
-// lie far outside the range of the vertices' light. Even so a triangle that is thinner than the grid on which it is
-// rasterised may be seen where it is not, by its own reckoning: there it has the light of a corner.
+// lie far outside the range of the vertices' light. Even so a triangle that is thinner than the grid on which
+// it is rasterised may be seen where it is not, by its own reckoning: there it has the light of a corner.
 layout(location = 0) centroid in vec3 radiance;
 layout(location = 1) centroid in vec2 corner_weights;  // of two corners
 layout(location = 2) flat in vec3 corner_radiance;

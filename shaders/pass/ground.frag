@@ -89,7 +89,8 @@ float cover_left(float optical_depth, vec4 standing, vec2 level_to_eye) {
 
 // Beyond the field there is nothing but its look.
 bool is_planted(vec2 place_m) {
-  return all(greaterThanEqual(place_m, field.planted_m.xy)) && all(lessThanEqual(place_m, field.planted_m.zw));
+  return all(greaterThanEqual(place_m, field.planted_m.xy)) &&
+         all(lessThanEqual(place_m, field.planted_m.zw));
 }
 
 void main() {

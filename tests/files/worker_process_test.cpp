@@ -66,7 +66,7 @@ class WorkerProcessTest : public ::testing::Test {
     return texts;
   }
 
-  WorkLimits limits_{.memory_bytes = 64 << 20, .cpu_s = 0.3, .cpu_s_per_MB = 0.1, .waiting_s = 0.5};
+  WorkLimits limits_{.memory_bytes = 64 << 20, .cpu_s = 1.0, .cpu_s_per_MB = 0.1, .waiting_s = 1.5};
   WorkerProcess worker_{fallible(misbehave)};
 };
 
