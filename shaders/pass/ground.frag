@@ -118,8 +118,8 @@ void main() {
 
   vec3 to_eye = view.parallel > 0.5 ? view.towards_eye : -from_eye_m;
   vec4 standing = is_planted(place_m) ? standing_above(above) : vec4(0.0);
-  float cover = cover_left(optical_depth, standing,
-                           to_eye.xy * inversesqrt(max(dot(to_eye.xy, to_eye.xy), 1.0e-12)));
+  float cover =
+      cover_left(optical_depth, standing, to_eye.xy * inversesqrt(max(dot(to_eye.xy, to_eye.xy), 1.0e-12)));
   Haze haze;
   haze.color = haze_color_and_share.rgb;
   haze.share = haze_color_and_share.a;
