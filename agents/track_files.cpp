@@ -20,11 +20,13 @@ constexpr double kLeastStepS = 1e-6;
 constexpr double kAfterGpxTimesS = 1e12;  // the year 9999 ends at 2.5e11
 constexpr double kGridPerM = 1024.0;
 constexpr std::size_t kShown = 40;
+constexpr const char* kOtherLayouts =
+    "lines of eight (UCY obsmat), four (TrajNet) or five (Jülich) numbers, or GPX";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 TrackRecording read_csv(std::string_view text, const std::string& name) {
   CsvTable table(text, name);
-  const std::string expected = "columns time_s, id, x_m, y_m";
+  const std::string expected = fmt::format("columns time_s, id, x_m, y_m; or {}", kOtherLayouts);
   const std::size_t time = table.need("time_s", expected), id = table.need("id", expected);
   const std::size_t x = table.need("x_m", expected), y = table.need("y_m", expected);
   TrackRecording recording;
@@ -210,10 +212,8 @@ TrackRecording read_rows(std::string_view text, const std::string& name, const T
       return read_csv(with_commas(std::string(rest), between), name);
   }
   if (line.find(',') != std::string_view::npos) return read_csv(text, name);
-  throw BadInput(
-      name, "line 1", line.empty() ? "nothing" : fmt::format("\"{}\"", line.substr(0, kShown)),
-      "tracks: CSV with columns time_s, id, x_m, y_m; lines of eight (UCY obsmat), four (TrajNet) or five "
-      "(Jülich) numbers; or GPX");
+  throw BadInput(name, "line 1", line.empty() ? "nothing" : fmt::format("\"{}\"", line.substr(0, kShown)),
+                 fmt::format("tracks: CSV with columns time_s, id, x_m, y_m; or {}", kOtherLayouts));
 }
 
 }  // namespace

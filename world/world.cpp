@@ -9,6 +9,7 @@
 
 #include "files/error.h"
 #include "files/input_file.h"
+#include "generator/surface_density.h"
 #include "world/camera_placement.h"
 #include "world/effort.h"
 #include "world/motion.h"
@@ -62,6 +63,8 @@ Meadow load_meadow(const Scene& scene, MapLoader& loader) {
                                   ? loader.load(*spec.density, MapMeaning::kDensity)
                                   : NodeGrid::uniform(static_cast<float>(spec.uniform_density_per_m2));
     if (spec.density && !(meadow.extent_m.x > 0.0)) meadow.extent_m = extent_of(density_per_m2.frame());
+    if (scene.density_per == DensityPer::kSurface)
+      density_per_m2 = density_per_map(density_per_m2, meadow.ground);
     meadow.species.push_back({spec.species, std::move(density_per_m2)});
   }
   if (scene.blade_height) meadow.blade_height = loader.load(*scene.blade_height, MapMeaning::kFactor);

@@ -39,6 +39,15 @@ struct Extent {
   glm::dvec2 max_m{std::numeric_limits<double>::lowest()};
 };
 
+/// Of recordings whose clock does not begin with them, so that a short clip stays empty.
+std::string late_beginning(const std::vector<Track>& tracks) {
+  double first_s = std::numeric_limits<double>::max();
+  for (const Track& track : tracks) first_s = std::min(first_s, track.times_s.front());
+  constexpr double kSoonS = 5.0;
+  if (first_s < kSoonS) return "";
+  return fmt::format("nobody is seen before {:.2f} s; --time {:.2f} begins there", first_s, first_s);
+}
+
 /// What there is to say of tracks that lie beside the ground; empty where somebody comes onto it.
 std::string off_the_ground(const std::vector<Track>& tracks, glm::dvec2 extent_m) {
   Extent all;
@@ -99,6 +108,7 @@ void replay_as_asked(const ReplayOptions& options, const GlobalOptions& globals,
       say_warning(fmt::format("{}: {}: {}", options.file.string(), kReplay, text));
   };
   for (const std::string& note : read.notes) warn(note);
+  warn(late_beginning(tracks));
   if (!world.meadow().repeats) warn(off_the_ground(tracks, world.meadow().extent_m));
   world.replay(std::move(tracks));
 }

@@ -97,7 +97,8 @@ TEST(TrackTables, JuelichInCentimetresAndInMetres) {
 }
 
 TEST(TrackTables, ARefusalNamesTheLayouts) {
-  for (const char* text : {"1 2 3\n1 3 4\n", "1 2 3 4 5 6 7 8 9\n", "first second third\n1 2 3\n"}) {
+  for (const char* text : {"1 2 3\n1 3 4\n", "1 2 3 4 5 6 7 8 9\n", "first second third\n1 2 3\n",
+                           "frame;agent;px;py\n1;2;3;4\n"}) {
     try {
       parse_tracks(text, "tracks");
       ADD_FAILURE() << text;

@@ -16,12 +16,21 @@ void read_size_of_ground(TableReader& table, const KeyTraits& key, const Scene& 
   }
 }
 
+// The usual one is what scenes meant before there was a choice.
+void hash_density_per(CanonicalText& text, const KeyTraits& key, const ContentHashes&, const Scene& scene) {
+  if (scene.density_per == DensityPer::kSurface) text.add(key.hash.name, std::uint64_t{1});
+}
+
 }  // namespace
 
 const KeyTable<Scene>& top_keys() {
   static const KeyTable<Scene> table{{
       key<&Scene::seed>({.name = "seed", .hash = {"seed"}}),
       key<&Scene::tile_m>({.name = "tile_m", .range = kTileM, .hash = {"tile_m"}}),
+      {.traits = {.name = "density_per", .words = {"map", "surface"}, .hash = {"density_per"}},
+       .read = read_member<Scene, &Scene::density_per>,
+       .hash = hash_density_per,
+       .text = member_text<Scene, &Scene::density_per>},
   }};
   return table;
 }

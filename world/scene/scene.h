@@ -86,10 +86,14 @@ struct LodSpec {
   double blade_distance_m = 120.0;  // beyond it only the flat tier is drawn
 };
 
+/// What a square metre is that densities count blades on.
+enum class DensityPer { kMap, kSurface };
+
 struct Scene {
   std::filesystem::path folder;
   std::uint64_t seed = 1;
   double tile_m = 4.0;
+  DensityPer density_per = DensityPer::kMap;
   std::optional<MapSpec> height;  // none: level ground
   glm::dvec2 extent_m{0.0};       // of level ground without a map; (0, 0) with one
   std::vector<SpeciesSpec> species;

@@ -229,6 +229,7 @@ starts_m = [[3, 4], [5, 6.5]]
 
 /// The keys of maps that say what other people's rasters leave out, and a mosaic.
 inline constexpr const char* kForeignMapsScene = R"(version = 1
+density_per = "surface"
 [height]
 file = ["dtm.raw", "more/dtm.raw"]
 crs = "EPSG:32614"
