@@ -26,7 +26,7 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 TrackRecording read_csv(std::string_view text, const std::string& name) {
   CsvTable table(text, name);
-  const std::string expected = fmt::format("columns time_s, id, x_m, y_m; or {}", kOtherLayouts);
+  const std::string expected = fmt::format("CSV with columns time_s, id, x_m, y_m; or {}", kOtherLayouts);
   const std::size_t time = table.need("time_s", expected), id = table.need("id", expected);
   const std::size_t x = table.need("x_m", expected), y = table.need("y_m", expected);
   TrackRecording recording;
