@@ -1,7 +1,7 @@
 // A grid of nodes that carry one feature of the field (density, blade height, bend, a colour's channels),
 // bilinear between nodes (G03 §3.1). Node (0, 0) is south-west, columns run east, rows run north.
 //
-// A node without data holds NaN. The nodes lie in memory, or behind OpenImageIO's cache where the map is
+// A node without data holds NaN. The nodes lie in memory, or in a temporary file where the map is
 // larger than its share of the memory budget; callers cannot tell which, except by speed: read blocks, not
 // single nodes.
 #pragma once

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "files/error.h"
@@ -16,6 +17,7 @@
 #include "world/scene/scene_hash.h"
 #include "world/scene_wind.h"
 #include "world/state_file.h"
+#include "world/suspicions.h"
 
 namespace prairie {
 namespace {
@@ -111,6 +113,7 @@ World::World(Scene scene, const WorldOptions& options) : scene_(std::move(scene)
   motion_ = std::make_unique<Motion>(scene_, meadow_);
   if (options.gait) motion_hash_ = motion_hash_with(motion_hash_, *options.gait);
   crowd_ = crowd_of(scene_, meadow_, options.gait.value_or(recorded_gait()));
+  std::ranges::move(suspicions_of(scene_, meadow_, maps_), std::back_inserter(warnings_));
   if (scene_.cameras.empty()) scene_.cameras.push_back(placed_camera_spec(meadow_, "default"));
 }
 

@@ -19,6 +19,7 @@
 #include "app/terminal/messages.h"
 #include "app/terminal/progress.h"
 #include "app/terminal/usage_error.h"
+#include "generator/blade_census.h"
 #include "generator/plant.h"
 #include "world/world.h"
 
@@ -48,6 +49,19 @@ std::uint64_t total_count(const Meadow& meadow, const TileRange& tiles) {
         return sum;
       },
       std::plus<>());
+}
+
+/// Before hours of writing: how much it will be.
+void say_how_much(const Meadow& meadow, const PlantOptions& options, const GlobalOptions& globals) {
+  if (options.tiles || globals.quiet) return;
+  double blades = 0.0;
+  for (const double of_species : blade_census(meadow).blades) blades += of_species;
+  constexpr double kMuch = 1e8;
+  constexpr double kGigabytesPerBlade = 1.2e-7;  // as text
+  if (blades < kMuch) return;
+  say_warning(fmt::format(
+      "all tiles have some {:.2g} blades, about {:.2g} GB; --tiles chooses some, --hashes is short", blades,
+      kGigabytesPerBlade * blades));
 }
 
 BladeTableFormat table_format(const std::filesystem::path& path) {
@@ -112,6 +126,7 @@ int plant_tiles(const PlantOptions& options, const GlobalOptions& globals) {
   const World world = open_world(options.folder, globals);
   const Meadow& meadow = world.meadow();
   const TileRange tiles = chosen_tiles(options.tiles, meadow);
+  if (!options.hashes) say_how_much(meadow, options, globals);
   StreamedOutput output(options.output);
   std::uint64_t blades = 0;
   {
@@ -119,7 +134,9 @@ int plant_tiles(const PlantOptions& options, const GlobalOptions& globals) {
     if (options.hashes) {
       write_hashes(meadow, tiles, output, progress);
     } else {
-      output.write(blade_table_header(format, meadow, total_count(meadow, tiles)));
+      // Only a PLY tells it at its head.
+      const std::uint64_t total = format == BladeTableFormat::kPly ? total_count(meadow, tiles) : 0;
+      output.write(blade_table_header(format, meadow, total));
       blades = write_blades(meadow, tiles, format, output, progress);
     }
   }

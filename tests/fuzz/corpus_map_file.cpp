@@ -70,7 +70,7 @@ std::vector<Input> make_corpus() {
   std::vector<Input> corpus;
   for (Input& file : files) {
     if (file.empty()) continue;
-    // Asked for as heights and as density, with a spacing and a range, in memory and behind the cache.
+    // Asked for as heights and as density, with a spacing and a range, in memory and in a temporary file.
     for (const Input::value_type choice : Input{0x14, 0x15, 0x54}) {
       Input input{choice};
       input.insert(input.end(), file.begin(), file.end());

@@ -18,7 +18,7 @@ namespace prairie {
 namespace {
 
 constexpr std::uint64_t kBudget = std::uint64_t{1} << 26;
-constexpr std::uint64_t kTinyBudget = 1 << 12;  // sends nearly everything through the cache
+constexpr std::uint64_t kTinyBudget = 1 << 12;  // sends nearly everything to a temporary file
 
 /// In memory where the system offers that; named after no format, so that the contents decide.
 std::filesystem::path input_path() {

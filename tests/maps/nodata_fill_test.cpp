@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "maps/filled_heights.h"
 #include "maps/height_field.h"
+#include "maps/node_mask.h"
 #include "tests/maps/test_images.h"
 
 namespace prairie {
@@ -151,6 +153,24 @@ TEST(NodataFillRepeating, OppositeBordersAreNeighbours) {
   }
   fill_nodata(kColumns, kColumns, true, values);
   EXPECT_NEAR(values[0], values[kColumns - 1], 1.0f);
+}
+
+/// Wider than a page (maps/filled_heights.cpp), with a gap across its edge and one at the map's end.
+TEST(NodataFillPages, GiveTheSameBitsAsTheWhole) {
+  constexpr int kColumns = 2600, kRows = 310;
+  std::vector<float> values;
+  for (int j = 0; j < kRows; ++j) {
+    for (int i = 0; i < kColumns; ++i) {
+      const bool is_missing =
+          std::hypot(i - 2050, j - 150) < 90.0 || i > 2500 + j / 7 || (i * 7919 + j * 104729) % 997 == 0;
+      values.push_back(is_missing ? kNaN : testing::rolling_height_m(i, j));
+    }
+  }
+  std::vector<float> whole = values;
+  fill_nodata(kColumns, kRows, false, whole);
+  const NodeMask gaps(kColumns, kRows, values);
+  fill_page_by_page({.columns = kColumns, .rows = kRows}, gaps, values);
+  EXPECT_EQ(values, whole);
 }
 
 TEST(NodataFillSpeed, HalfOfAMillionNodesTakesLessThanASecond) {
