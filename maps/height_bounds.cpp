@@ -1,5 +1,6 @@
 #include "maps/height_bounds.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -49,7 +50,8 @@ HeightBounds HeightBounds::of(const NodeGrid& grid) {
   const int block_rows = (frame.rows + kBlockNodes - 1) / kBlockNodes;
   std::vector<HeightRange> blocks(static_cast<std::size_t>(block_columns) *
                                   static_cast<std::size_t>(block_rows));
-  tbb::parallel_for(0, block_rows, [&](int j) {
+  constexpr int kRowsAtOnce = 32;
+  const auto fill_row = [&](int j) {
     for (int i = 0; i < block_columns; ++i) {
       const int columns = std::min(kBlockNodes, frame.columns - i * kBlockNodes);
       const int rows = std::min(kBlockNodes, frame.rows - j * kBlockNodes);
@@ -64,7 +66,11 @@ HeightBounds HeightBounds::of(const NodeGrid& grid) {
       blocks[static_cast<std::size_t>(j) * static_cast<std::size_t>(block_columns) +
              static_cast<std::size_t>(i)] = range;
     }
-  });
+  };
+  tbb::parallel_for(tbb::blocked_range<int>(0, block_rows, kRowsAtOnce),
+                    [&](const tbb::blocked_range<int>& rows) {
+                      for (int j = rows.begin(); j < rows.end(); ++j) fill_row(j);
+                    });
   return HeightBounds(kBlockNodes, block_columns, block_rows, std::move(blocks));
 }
 

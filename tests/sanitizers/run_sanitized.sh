@@ -7,7 +7,7 @@ sources=$1 preset=$2
 build=$sources/build/$preset
 
 case $preset in
-  asan) targets=(prairie_{files,pictures,maps}_tests replay_{map_file,map_text,scene}) ;;
+  asan) targets=(prairie_{files,pictures,maps}_tests replay_{map_file,georaster,scene}) ;;
   tsan) targets=(prairie_thread_tests) ;;
 esac
 
@@ -33,7 +33,7 @@ case $preset in
     for room in files pictures maps; do
       "$build/tests/$room/prairie_${room}_tests" --gtest_brief=1 --gtest_filter='-*Speed*'
     done
-    for reader in map_text scene; do "$build/tests/fuzz/replay_$reader"; done
+    for reader in georaster scene; do "$build/tests/fuzz/replay_$reader"; done
     wait $!
     ;;
   tsan)
